@@ -1,0 +1,43 @@
+//! One mesh, one exact notion of facing and one small set of traits for every method of the `silhouettes` workspace.
+//!
+//! Read [`method`] first when you add a method: it is the whole contract. The rest, in the order data flows:
+//!
+//! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
+//! 2. [`weld`]: merging of coincident vertices, on request only. [`inspect`]: what is wrong with a mesh, with ids.
+//! 3. [`topology`]: edges with all their incident faces, twin half-edges.
+//! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
+//! 5. [`facing`]: front or back, by the exact sign, for every face.
+//! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops.
+//! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
+//!
+//! Cost is stated in faces F, edges E, vertices V and silhouette edges S. Every result is the same bits for any number
+//! of threads. Nothing here knows about a GPU or needs a C++ compiler.
+
+mod exact;
+pub mod facing;
+pub mod id;
+pub mod inspect;
+pub mod load;
+pub mod loops;
+pub mod mesh;
+pub mod method;
+pub mod prepared;
+pub mod progress;
+pub mod shapes;
+pub mod silhouette;
+pub mod topology;
+pub mod view;
+pub mod weld;
+
+pub use glam;
+
+pub use facing::{FaceFacings, Facing};
+pub use id::{EdgeId, FaceId, HalfEdgeId, PerElement, VertexId};
+pub use loops::SilhouetteLoops;
+pub use mesh::{MeshError, TriangleMesh};
+pub use method::{ExtractsEdges, ExtractsLoops, Method, MethodInfo};
+pub use prepared::PreparedMesh;
+pub use progress::{Cancelled, NoProgress, Progress};
+pub use silhouette::SilhouetteEdges;
+pub use topology::Topology;
+pub use view::{Camera, Projection, Viewpoint};

@@ -1,0 +1,157 @@
+//! [`TriangleMesh`]: positions and triangles, validated once, immutable afterwards.
+
+use crate::id::{FaceId, VertexId};
+use glam::{DVec3, Vec3};
+
+/// Triangles over a list of positions.
+///
+/// Positions are finite, indices are in range: checked by [`TriangleMesh::new`], so nothing downstream checks again.
+/// Everything else is ordinary data: open, non-manifold and inconsistently wound meshes, faces of zero area, faces that
+/// name a vertex twice, unreferenced and coincident vertices. Triangles are meant to be counter-clockwise seen from
+/// outside, in a right-handed space; units are the file's own. Render normals and texture seams are not part of a mesh,
+/// so they never split its topology.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TriangleMesh {
+    positions: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// Why a list of positions and triangles is no mesh.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// A coordinate is NaN or infinite (or too large for 32-bit floats).
+    #[error("vertex {vertex} has a coordinate that is not a finite 32-bit float")]
+    NotFinite {
+        /// The first such vertex.
+        vertex: VertexId,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("face {face} names vertex {index}, but there are only {vertices} vertices (0 is the first)")]
+    IndexOutOfRange {
+        /// The first such face.
+        face: FaceId,
+        /// The index it names.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// More vertices, or half-edges, than 32-bit ids can name.
+    #[error("the mesh has {count} {what}; at most {limit} are supported")]
+    TooLarge {
+        /// `"vertices"` or `"faces"`.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        limit: usize,
+    },
+}
+
+/// Half-edge ids are `3 * face + slot` in 32 bits, and the two highest values mean "no twin".
+pub const MAX_FACES: usize = (u32::MAX as usize - 2) / 3;
+
+/// Vertex ids are 32 bits wide.
+pub const MAX_VERTICES: usize = u32::MAX as usize;
+
+/// Axis-aligned box and bounding sphere about its centre, in object space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Smallest coordinates.
+    pub min: DVec3,
+    /// Largest coordinates.
+    pub max: DVec3,
+    /// Middle of the box.
+    pub center: DVec3,
+    /// Distance from the centre to the farthest vertex that a triangle uses.
+    pub radius: f64,
+}
+
+impl TriangleMesh {
+    /// Validates and owns the arrays. O(V + F).
+    ///
+    /// # Errors
+    /// [`MeshError`] names the first vertex or face at fault.
+    pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        let too_large = |what, count, limit| if count > limit { Err(MeshError::TooLarge { what, count, limit }) } else { Ok(()) };
+        too_large("vertices", positions.len(), MAX_VERTICES)?;
+        too_large("faces", triangles.len(), MAX_FACES)?;
+        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
+            return Err(MeshError::NotFinite { vertex: VertexId::from_usize(vertex) });
+        }
+        let vertices = positions.len();
+        for (face, triangle) in triangles.iter().enumerate() {
+            if let Some(&index) = triangle.iter().find(|&&index| index as usize >= vertices) {
+                return Err(MeshError::IndexOutOfRange { face: FaceId::from_usize(face), index, vertices });
+            }
+        }
+        Ok(Self { positions, triangles })
+    }
+
+    /// Positions in object space, indexed by [`VertexId::index`].
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// Vertex indices of each face, indexed by [`FaceId::index`].
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Number of vertices V, unreferenced ones included.
+    pub fn vertex_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Number of faces F.
+    pub fn face_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The three corners of a face.
+    ///
+    /// # Panics
+    /// If the mesh has no such face.
+    pub fn corners(&self, face: FaceId) -> [Vec3; 3] {
+        self.triangles[face.index()].map(|vertex| self.positions[vertex as usize])
+    }
+
+    /// Bounds of the vertices that triangles use; `None` where there is no triangle. O(F).
+    pub fn bounds(&self) -> Option<Bounds> {
+        let used = || self.triangles.iter().flatten().map(|&vertex| self.positions[vertex as usize]);
+        let first = used().next()?;
+        let (min, max) = used().fold((first, first), |(min, max), p| (min.min(p), max.max(p)));
+        let (min, max) = (min.as_dvec3(), max.as_dvec3());
+        let center = (min + max) * 0.5;
+        let radius = used().map(|p| p.as_dvec3().distance_squared(center)).fold(0.0, f64::max).sqrt();
+        Some(Bounds { min, max, center, radius })
+    }
+
+    /// Bytes held by the arrays.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.positions.as_slice()) + size_of_val(self.triangles.as_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bad_arrays_are_named() {
+        let p = vec![Vec3::ZERO, Vec3::X, Vec3::new(0.0, f32::NAN, 0.0)];
+        assert_eq!(TriangleMesh::new(p, vec![]), Err(MeshError::NotFinite { vertex: VertexId::new(2) }));
+        let p = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let error = TriangleMesh::new(p.clone(), vec![[0, 1, 2], [0, 1, 3]]);
+        assert_eq!(error, Err(MeshError::IndexOutOfRange { face: FaceId::new(1), index: 3, vertices: 3 }));
+        assert!(TriangleMesh::new(p, vec![[0, 1, 2]]).is_ok());
+    }
+
+    #[test]
+    fn bounds_leave_out_unreferenced_vertices() {
+        let p = vec![Vec3::ZERO, Vec3::X * 2.0, Vec3::Y, Vec3::splat(1e6)];
+        let bounds = TriangleMesh::new(p, vec![[0, 1, 2]]).unwrap().bounds().unwrap();
+        assert_eq!((bounds.min, bounds.max), (DVec3::ZERO, DVec3::new(2.0, 1.0, 0.0)));
+        assert_eq!(TriangleMesh::new(vec![], vec![]).unwrap().bounds(), None);
+    }
+}

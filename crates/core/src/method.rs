@@ -1,0 +1,108 @@
+//! The contract of a method: what it says of itself ([`MethodInfo`]), how it is prepared ([`Method`]) and what it can do
+//! (the capability traits).
+//!
+//! To add a paper: make a crate with one file a step, implement [`Method`] and those capabilities that the method has,
+//! add one line to the registry in `silhouette-compare`. A method that cannot do a thing does not implement the trait;
+//! nothing answers "unsupported" at run time.
+//!
+//! | capability | trait | yields |
+//! |---|---|---|
+//! | extracts edges | [`ExtractsEdges`] | sorted edge ids |
+//! | extracts loops | [`ExtractsLoops`] | closed, oriented loops of half-edges |
+//! | draws lines | `silhouette_gpu::DrawsLines` | ink in somebody's render pass |
+
+mod options;
+
+pub use options::{OptionError, OptionKind, OptionSpec, OptionValues};
+
+use crate::loops::SilhouetteLoops;
+use crate::prepared::PreparedMesh;
+use crate::progress::{Cancelled, Progress};
+use crate::silhouette::SilhouetteEdges;
+use crate::view::Viewpoint;
+use std::sync::Arc;
+
+/// Where a method was published.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Source {
+    /// Authors as printed.
+    pub authors: &'static str,
+    /// Title.
+    pub title: &'static str,
+    /// Venue.
+    pub venue: &'static str,
+    /// Year of publication.
+    pub year: u16,
+}
+
+/// What a method says of itself.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct MethodInfo {
+    /// Name on the command line and in results, in kebab case.
+    pub name: &'static str,
+    /// What it does, in one sentence.
+    pub summary: &'static str,
+    /// Where it was published.
+    pub source: Source,
+    /// Names of the artefacts ([`Artefact::NAME`](crate::prepared::Artefact::NAME)) that its preparation asks for,
+    /// sorted. Empty: positions and triangles are enough.
+    pub needs: &'static [&'static str],
+    /// Its options with ranges and defaults.
+    pub options: &'static [OptionSpec],
+}
+
+/// Why a method cannot be prepared for a mesh.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PrepareError {
+    /// The work was stopped by its [`Progress`].
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// An option has no such name or a value out of range.
+    #[error(transparent)]
+    Option(#[from] OptionError),
+}
+
+/// One published method, prepared for one mesh.
+///
+/// Preparation is what happens once for a mesh; what happens for a view is in the capability traits. The two are never
+/// mixed, in code or in measurement.
+pub trait Method: Sized + Send + 'static {
+    /// Name, source, needs, options.
+    const INFO: MethodInfo;
+
+    /// Prepares the method for `mesh`. Derived data is asked of the [`PreparedMesh`], so that methods share it; what
+    /// only this method uses belongs to the returned value.
+    ///
+    /// # Errors
+    /// [`PrepareError`]: cancelled, or an option that does not fit.
+    fn prepare(mesh: &Arc<PreparedMesh>, options: &OptionValues, progress: &dyn Progress) -> Result<Self, PrepareError>;
+
+    /// Bytes this value holds beyond the artefacts of its mesh.
+    fn bytes(&self) -> usize;
+}
+
+/// What one extraction did; the same numbers on every machine and for every thread count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct ExtractionStats {
+    /// Faces whose facing was evaluated.
+    pub faces_tested: u64,
+    /// Edge tests: looks at an edge to see whether its faces differ.
+    pub edges_tested: u64,
+    /// Faces whose sign the floating-point filter could not certify, decided by exact arithmetic.
+    pub exact_fallbacks: u64,
+}
+
+/// Finds the silhouette edges of a view.
+pub trait ExtractsEdges: Send {
+    /// Replaces `out` by the silhouette edges seen from `viewpoint`, sorted by id. Scratch memory is kept from call to
+    /// call; once `out` has grown, a call allocates nothing.
+    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats;
+}
+
+/// Finds the silhouette of a view as closed loops.
+pub trait ExtractsLoops: ExtractsEdges {
+    /// Replaces `out` by the loops that the silhouette half-edges seen from `viewpoint` form, front face on the left,
+    /// ordered by each loop's smallest half-edge, which is also its first.
+    fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats;
+}
