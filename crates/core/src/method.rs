@@ -76,7 +76,8 @@ pub trait Method: Sized + Send + 'static {
     ///
     /// # Errors
     /// [`PrepareError`]: cancelled, or an option that does not fit.
-    fn prepare(mesh: &Arc<PreparedMesh>, options: &OptionValues, progress: &dyn Progress) -> Result<Self, PrepareError>;
+    fn prepare(mesh: &Arc<PreparedMesh>, options: &OptionValues, progress: &dyn Progress)
+    -> Result<Self, PrepareError>;
 
     /// Bytes this value holds beyond the artefacts of its mesh.
     fn bytes(&self) -> usize;
@@ -103,6 +104,6 @@ pub trait ExtractsEdges: Send {
 /// Finds the silhouette of a view as closed loops.
 pub trait ExtractsLoops: ExtractsEdges {
     /// Replaces `out` by the loops that the silhouette half-edges seen from `viewpoint` form, front face on the left,
-    /// ordered by each loop's smallest half-edge, which is also its first.
+    /// ordered by each loop's lowest edge, at which it begins.
     fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats;
 }

@@ -140,7 +140,13 @@ impl Camera {
     ///
     /// # Errors
     /// [`ViewError`] where the parts do not make a camera.
-    pub fn framing(bounds: &Bounds, direction: DVec3, up: Vec3, fov: Framing, size: [u32; 2]) -> Result<Self, ViewError> {
+    pub fn framing(
+        bounds: &Bounds,
+        direction: DVec3,
+        up: Vec3,
+        fov: Framing,
+        size: [u32; 2],
+    ) -> Result<Self, ViewError> {
         let direction = direction.try_normalize().ok_or(ViewError::NoDirection)?;
         let radius = bounds.radius.max(f64::from(f32::MIN_POSITIVE)) * (1.0 + FRAMING_MARGIN);
         let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
@@ -150,7 +156,9 @@ impl Camera {
                 let half_x = (half_y.tan() * aspect).atan();
                 (Projection::Perspective { fov_y_rad }, radius / half_y.min(half_x).sin())
             }
-            Framing::Orthographic => (Projection::Orthographic { height: 2.0 * radius / aspect.min(1.0) }, 3.0 * radius),
+            Framing::Orthographic => {
+                (Projection::Orthographic { height: 2.0 * radius / aspect.min(1.0) }, 3.0 * radius)
+            }
         };
         let eye = (bounds.center + direction * distance).as_vec3();
         Self::new(eye, bounds.center.as_vec3(), up, projection, size)
@@ -221,12 +229,22 @@ impl Camera {
             Projection::Perspective { fov_y_rad } => {
                 let focal = 1.0 / (fov_y_rad * 0.5).tan();
                 let scale = at_one / (at_zero - at_one);
-                [[focal / self.aspect(), 0.0, 0.0, 0.0], [0.0, focal, 0.0, 0.0], [0.0, 0.0, scale, -1.0], [0.0, 0.0, scale * at_zero, 0.0]]
+                [
+                    [focal / self.aspect(), 0.0, 0.0, 0.0],
+                    [0.0, focal, 0.0, 0.0],
+                    [0.0, 0.0, scale, -1.0],
+                    [0.0, 0.0, scale * at_zero, 0.0],
+                ]
             }
             Projection::Orthographic { height } => {
                 let focal = 2.0 / height;
                 let scale = 1.0 / (at_zero - at_one);
-                [[focal / self.aspect(), 0.0, 0.0, 0.0], [0.0, focal, 0.0, 0.0], [0.0, 0.0, scale, 0.0], [0.0, 0.0, scale * at_zero, 1.0]]
+                [
+                    [focal / self.aspect(), 0.0, 0.0, 0.0],
+                    [0.0, focal, 0.0, 0.0],
+                    [0.0, 0.0, scale, 0.0],
+                    [0.0, 0.0, scale * at_zero, 1.0],
+                ]
             }
         };
         DMat4::from_cols_array_2d(&columns)
@@ -355,7 +373,9 @@ mod tests {
     const RANGE: ClipRange = ClipRange { near: 0.5, far: 20.0 };
 
     fn cameras() -> [Camera; 2] {
-        let make = |projection| Camera::new(Vec3::new(3.0, 2.0, 5.0), Vec3::new(0.2, 0.1, 0.0), Vec3::Y, projection, [640, 480]).unwrap();
+        let make = |projection| {
+            Camera::new(Vec3::new(3.0, 2.0, 5.0), Vec3::new(0.2, 0.1, 0.0), Vec3::Y, projection, [640, 480]).unwrap()
+        };
         [make(Projection::Perspective { fov_y_rad: 0.8 }), make(Projection::Orthographic { height: 3.0 })]
     }
 
@@ -398,7 +418,10 @@ mod tests {
                 for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
                     for sign in [-1.0, 1.0] {
                         let p = camera.project(bounds.center + axis * sign * bounds.radius).unwrap().pixel;
-                        assert!(p.x > 0.0 && p.y > 0.0 && p.x < f64::from(size[0]) && p.y < f64::from(size[1]), "{p} in {size:?}");
+                        assert!(
+                            p.x > 0.0 && p.y > 0.0 && p.x < f64::from(size[0]) && p.y < f64::from(size[1]),
+                            "{p} in {size:?}"
+                        );
                     }
                 }
             }
@@ -407,7 +430,8 @@ mod tests {
 
     #[test]
     fn impossible_cameras_are_refused() {
-        let new = |eye, up, fov_y_rad, size| Camera::new(eye, Vec3::ZERO, up, Projection::Perspective { fov_y_rad }, size);
+        let new =
+            |eye, up, fov_y_rad, size| Camera::new(eye, Vec3::ZERO, up, Projection::Perspective { fov_y_rad }, size);
         assert_eq!(new(Vec3::ZERO, Vec3::Y, 0.7, [8, 8]), Err(ViewError::NoDirection));
         assert_eq!(new(Vec3::Y, Vec3::Y, 0.7, [8, 8]), Err(ViewError::NoUp));
         assert_eq!(new(Vec3::X, Vec3::Y, 3.2, [8, 8]), Err(ViewError::Projection));

@@ -84,7 +84,9 @@ impl OptionSpec {
 
     fn expected(&self) -> String {
         match self.kind {
-            OptionKind::Number { min, max, .. } => format!("a number from {min} to {max} {}", self.unit).trim_end().to_owned(),
+            OptionKind::Number { min, max, .. } => {
+                format!("a number from {min} to {max} {}", self.unit).trim_end().to_owned()
+            }
             OptionKind::Choice(choices) => format!("one of {}", choices.join(", ")),
         }
     }
@@ -94,7 +96,9 @@ impl OptionSpec {
             OptionKind::Number { min, max, .. } => {
                 text.parse().ok().filter(|number| (min..=max).contains(number)).map(Value::Number)
             }
-            OptionKind::Choice(choices) => choices.iter().find(|&&choice| choice == text).map(|&choice| Value::Choice(choice)),
+            OptionKind::Choice(choices) => {
+                choices.iter().find(|&&choice| choice == text).map(|&choice| Value::Choice(choice))
+            }
         };
         value.ok_or_else(|| OptionError::Value { name: self.name, value: text.to_owned(), expected: self.expected() })
     }
@@ -110,7 +114,10 @@ impl OptionValues {
     ///
     /// # Errors
     /// [`OptionError`] names the first word that does not fit and what would.
-    pub fn parse<'a>(specs: &'static [OptionSpec], words: impl IntoIterator<Item = &'a str>) -> Result<Self, OptionError> {
+    pub fn parse<'a>(
+        specs: &'static [OptionSpec],
+        words: impl IntoIterator<Item = &'a str>,
+    ) -> Result<Self, OptionError> {
         let mut values = Self::defaults(specs);
         for word in words {
             let (name, text) = word.split_once('=').ok_or_else(|| OptionError::Form { text: word.to_owned() })?;
@@ -170,7 +177,12 @@ mod tests {
     use super::*;
 
     const SPECS: &[OptionSpec] = &[
-        OptionSpec { name: "scale", summary: "", unit: "px", kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.5 } },
+        OptionSpec {
+            name: "scale",
+            summary: "",
+            unit: "px",
+            kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.5 },
+        },
         OptionSpec { name: "mode", summary: "", unit: "", kind: OptionKind::Choice(&["screen", "paper"]) },
     ];
 

@@ -1,0 +1,72 @@
+//! The silhouette edges that follow from a facing.
+
+use crate::facing::FaceFacings;
+use crate::id::EdgeId;
+use crate::topology::Topology;
+
+/// Silhouette edges of one view, sorted by id.
+///
+/// A *silhouette edge* has incident faces of both facings, or is a boundary edge whose face is front. A non-manifold edge
+/// is one iff its faces do not all face the same way: the same rule.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct SilhouetteEdges(Vec<EdgeId>);
+
+/// Whether an edge belongs to the silhouette of `facings`. O(faces at the edge).
+///
+/// # Panics
+/// If the topology has no such edge, or `facings` is of another mesh.
+pub fn is_silhouette_edge(topology: &Topology, facings: &FaceFacings, edge: EdgeId) -> bool {
+    let half_edges = topology.half_edges(edge);
+    let first_is_front = facings.is_front(half_edges[0].face());
+    if half_edges.len() == 1 {
+        return first_is_front;
+    }
+    half_edges[1..].iter().any(|other| facings.is_front(other.face()) != first_is_front)
+}
+
+impl SilhouetteEdges {
+    /// The silhouette edges of any facing. O(E).
+    pub fn of(topology: &Topology, facings: &FaceFacings) -> Self {
+        let mut edges = Self::default();
+        edges.refill(topology.edges().ids().filter(|&edge| is_silhouette_edge(topology, facings, edge)));
+        edges
+    }
+
+    /// Replaces the edges; `edges` in any order, duplicates allowed. O(S log S), no allocation once grown.
+    pub fn refill(&mut self, edges: impl IntoIterator<Item = EdgeId>) {
+        self.0.clear();
+        self.0.extend(edges);
+        self.0.sort_unstable();
+        self.0.dedup();
+    }
+
+    /// The edges, ascending.
+    pub fn as_slice(&self) -> &[EdgeId] {
+        &self.0
+    }
+
+    /// The edges, ascending.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = EdgeId> + '_ {
+        self.0.iter().copied()
+    }
+
+    /// Those that are boundary edges (of front faces), ascending.
+    pub fn boundary<'a>(&'a self, topology: &'a Topology) -> impl Iterator<Item = EdgeId> + 'a {
+        self.iter().filter(|&edge| topology.half_edges(edge).len() == 1)
+    }
+
+    /// Number of silhouette edges S.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether the silhouette is empty.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Whether an edge is among them. O(log S).
+    pub fn contains(&self, edge: EdgeId) -> bool {
+        self.0.binary_search(&edge).is_ok()
+    }
+}
