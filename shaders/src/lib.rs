@@ -1,1 +1,81 @@
-//! placeholder
+//! Every WGSL stage of the silhouette crates, as text.
+//!
+//! A module holds the stages of one crate. What several stages use lies in `shared/` and is joined in front of them by
+//! concatenation, so a constant here is a complete module for `wgpu::ShaderSource::Wgsl`. A stage shares its file stem
+//! with the Rust file that uploads its structs or does the same on the CPU; the test that compares their layouts lies
+//! beside the Rust struct and uses `layout` (feature of the same name).
+
+#[cfg(any(test, feature = "layout"))]
+pub mod layout;
+
+/// Stages of `silhouette-render`.
+pub mod render {
+    /// Filled triangles: flat, lit, or depth alone.
+    pub const FILL: &str = concat!(include_str!("../shared/camera.wgsl"), include_str!("../render/fill.wgsl"));
+    /// Strokes of single segments.
+    pub const LINE_SEGMENTS: &str =
+        concat!(include_str!("../shared/line_visibility.wgsl"), include_str!("../render/line_segments.wgsl"));
+    /// Wedges between consecutive strokes.
+    pub const LINE_JOINS: &str =
+        concat!(include_str!("../shared/line_visibility.wgsl"), include_str!("../render/line_joins.wgsl"));
+    /// A depth buffer as 32-bit floats.
+    pub const DEPTH_READBACK: &str =
+        concat!(include_str!("../shared/full_screen.wgsl"), include_str!("../render/depth_readback.wgsl"));
+    /// The average of n x n samples.
+    pub const BOX_DOWNSAMPLE: &str =
+        concat!(include_str!("../shared/full_screen.wgsl"), include_str!("../render/box_downsample.wgsl"));
+}
+
+/// Stages of `silhouette-image-precision`.
+pub mod image_precision {
+    /// Front faces, white.
+    pub const FRONT_FACES: &str =
+        concat!(include_str!("../shared/camera.wgsl"), include_str!("../image_precision/front_faces.wgsl"));
+    /// Back faces, black, scaled about the eye.
+    pub const BACK_FACES: &str =
+        concat!(include_str!("../shared/camera.wgsl"), include_str!("../image_precision/back_faces.wgsl"));
+}
+
+/// Every stage with its path below the crate's folder.
+pub const ALL: [(&str, &str); 7] = [
+    ("render/fill.wgsl", render::FILL),
+    ("render/line_segments.wgsl", render::LINE_SEGMENTS),
+    ("render/line_joins.wgsl", render::LINE_JOINS),
+    ("render/depth_readback.wgsl", render::DEPTH_READBACK),
+    ("render/box_downsample.wgsl", render::BOX_DOWNSAMPLE),
+    ("image_precision/front_faces.wgsl", image_precision::FRONT_FACES),
+    ("image_precision/back_faces.wgsl", image_precision::BACK_FACES),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::ALL;
+    use std::path::Path;
+
+    #[test]
+    fn every_stage_parses_and_validates() {
+        for (path, text) in ALL {
+            let module =
+                naga::front::wgsl::parse_str(text).unwrap_or_else(|e| panic!("{path}: {}", e.emit_to_string(text)));
+            assert!(!module.entry_points.is_empty(), "{path} has no entry point");
+            naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
+                .validate(&module)
+                .unwrap_or_else(|e| panic!("{path}: {}", e.emit_to_string(text)));
+        }
+    }
+
+    #[test]
+    fn every_file_is_listed() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let mut on_disk = Vec::new();
+        for folder in ["render", "image_precision"] {
+            for entry in std::fs::read_dir(root.join(folder)).unwrap() {
+                on_disk.push(format!("{folder}/{}", entry.unwrap().file_name().to_str().unwrap()));
+            }
+        }
+        on_disk.sort();
+        let mut listed = ALL.map(|(path, _)| path.to_owned());
+        listed.sort();
+        assert_eq!(on_disk, listed);
+    }
+}

@@ -1,0 +1,107 @@
+//! [`MeshBuffers`]: a mesh on a device.
+
+use crate::local_frame::LocalFrame;
+use silhouette_core::mesh::{Bounds, TriangleMesh};
+
+/// Vertex layout of [`MeshBuffers`]: `@location(0) position: vec3<f32>`, in the [`LocalFrame`].
+pub const POSITION_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 12,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &[wgpu::VertexAttribute { format: wgpu::VertexFormat::Float32x3, offset: 0, shader_location: 0 }],
+};
+
+/// A mesh is larger than a buffer of the device can be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the mesh's {what} take {bytes} bytes; a buffer of this device holds at most {limit}")]
+pub struct MeshTooLarge {
+    /// `"positions"` or `"triangles"`.
+    pub what: &'static str,
+    /// Bytes they take.
+    pub bytes: u64,
+    /// Bytes that a buffer may hold.
+    pub limit: u64,
+}
+
+/// Positions and triangles of a mesh on a device, in the mesh's own order.
+#[derive(Debug)]
+pub struct MeshBuffers {
+    /// Vertex and index buffer; `None` for a mesh without triangles, as wgpu knows no empty bindings.
+    buffers: Option<(wgpu::Buffer, wgpu::Buffer)>,
+    indices: u32,
+    bytes: u64,
+    bounds: Option<Bounds>,
+    frame: LocalFrame,
+}
+
+impl MeshBuffers {
+    /// Uploads a mesh, recentred in 64 bits. O(V + F) time; 12 bytes a vertex and a face on the device, 12 bytes a
+    /// vertex on the CPU meanwhile.
+    ///
+    /// # Errors
+    /// [`MeshTooLarge`], before anything is allocated.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &TriangleMesh) -> Result<Self, MeshTooLarge> {
+        let limit = device.limits().max_buffer_size;
+        let position_bytes = mesh.vertex_count() as u64 * POSITION_LAYOUT.array_stride;
+        let index_bytes = mesh.face_count() as u64 * 12;
+        for (what, bytes) in [("positions", position_bytes), ("triangles", index_bytes)] {
+            if bytes > limit {
+                return Err(MeshTooLarge { what, bytes, limit });
+            }
+        }
+
+        let bounds = mesh.bounds();
+        let frame = LocalFrame::new(bounds.as_ref());
+        let buffers = (mesh.face_count() > 0).then(|| {
+            let local: Vec<[f32; 3]> =
+                mesh.positions().iter().map(|p| frame.to_local(p.as_dvec3()).to_array()).collect();
+            let positions =
+                upload(device, queue, "positions", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&local));
+            let indices = bytemuck::cast_slice(mesh.triangles());
+            (positions, upload(device, queue, "triangles", wgpu::BufferUsages::INDEX, indices))
+        });
+        let bytes = if buffers.is_some() { position_bytes + index_bytes } else { 0 };
+        let indices = u32::try_from(mesh.face_count() * 3).expect("a mesh has fewer than 2^32 half-edges");
+        Ok(Self { buffers, indices, bytes, bounds, frame })
+    }
+
+    /// Binds the buffers (vertex slot 0) and draws every triangle once, with the pipeline that is set.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if let Some((positions, indices)) = &self.buffers {
+            pass.set_vertex_buffer(0, positions.slice(..));
+            pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..self.indices, 0, 0..1);
+        }
+    }
+
+    /// Bytes on the device.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Bounds of the mesh in world space; `None` without triangles.
+    pub fn bounds(&self) -> Option<&Bounds> {
+        self.bounds.as_ref()
+    }
+
+    /// The frame that the positions are in.
+    pub fn frame(&self) -> &LocalFrame {
+        &self.frame
+    }
+}
+
+fn upload(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    label: &str,
+    usage: wgpu::BufferUsages,
+    bytes: &[u8],
+) -> wgpu::Buffer {
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: bytes.len() as u64,
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    queue.write_buffer(&buffer, 0, bytes);
+    buffer
+}
