@@ -1,0 +1,60 @@
+//! Timestamps at the beginning and the end of a pass, allocated once for a device.
+
+use crate::error::GpuError;
+use crate::gpu::Gpu;
+
+const BYTES: u64 = 16;
+
+#[derive(Debug)]
+pub(crate) struct Timestamps {
+    queries: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+    readable: wgpu::Buffer,
+    ns_per_tick: f64,
+}
+
+impl Timestamps {
+    pub(crate) fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
+        let buffer = |label, usage| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: BYTES,
+                usage: usage | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        Self {
+            queries: device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some("pass begin and end"),
+                ty: wgpu::QueryType::Timestamp,
+                count: 2,
+            }),
+            resolved: buffer("timestamps", wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
+            readable: buffer("timestamps to read", wgpu::BufferUsages::MAP_READ),
+            ns_per_tick: f64::from(queue.get_timestamp_period()),
+        }
+    }
+
+    pub(crate) fn writes(&self) -> wgpu::RenderPassTimestampWrites<'_> {
+        wgpu::RenderPassTimestampWrites {
+            query_set: &self.queries,
+            beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: Some(1),
+        }
+    }
+
+    /// Copies the two values to where [`read_ms`](Self::read_ms) finds them.
+    pub(crate) fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.resolve_query_set(&self.queries, 0..2, &self.resolved, 0);
+        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, BYTES);
+    }
+
+    /// Milliseconds between the two, once the submission is done.
+    pub(crate) fn read_ms(&self, gpu: &Gpu) -> Result<f64, GpuError> {
+        let ticks = gpu.read_buffer(&self.readable, |bytes| {
+            let tick = |i: usize| u64::from_le_bytes(std::array::from_fn(|k| bytes[8 * i + k]));
+            tick(1).saturating_sub(tick(0))
+        })?;
+        Ok(ticks as f64 * self.ns_per_tick * 1e-6)
+    }
+}
