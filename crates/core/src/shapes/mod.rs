@@ -67,3 +67,6 @@ fn around_y(angle_rad: f64) -> DVec3 {
 fn turn(step: u32, steps: u32) -> f64 {
     std::f64::consts::TAU * f64::from(step) / f64::from(steps)
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,8 +5,8 @@ use super::{blob, cone, cuboid, cylinder, ellipsoid, gear, grid, moebius, sphere
 use crate::mesh::TriangleMesh;
 use std::fmt;
 
-/// Most faces that a built-in shape may have: the icosphere of level 10, 20 * 4^10. A mesh of that size takes about
-/// 0.4 GB, and up to three times that while it is generated.
+/// Most faces that a built-in shape may have: the icosphere of level 10, 20 * 4^10. A mesh of that size takes 0.4 GB;
+/// that icosphere takes 1.7 GB while it is generated.
 pub const MAX_FACES: u64 = 20_971_520;
 
 /// Every built-in shape, in the order a list should show them.
