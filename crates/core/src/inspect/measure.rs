@@ -106,7 +106,7 @@ impl SmallestAngle {
 
 fn smallest_angle_deg(mesh: &TriangleMesh, face: FaceId) -> f64 {
     let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
-    let angle = |at: DVec3, p: DVec3, q: glam::DVec3| {
+    let angle = |at: DVec3, p: DVec3, q: DVec3| {
         let (p, q) = (p - at, q - at);
         p.cross(q).length().atan2(p.dot(q))
     };

@@ -24,7 +24,7 @@ pub(super) static CYLINDER: Builtin = Builtin {
     ],
     genus: Some(0),
     build: |values| Cylinder { radius: values[1], height: values[2] }.mesh(values[0] as u32),
-    contour: Some(|values| Box::new(Cylinder { radius: values[1], height: values[2] })),
+    contour: Some(|values| Ok(Box::new(Cylinder { radius: values[1], height: values[2] }))),
 };
 
 impl Default for Cylinder {

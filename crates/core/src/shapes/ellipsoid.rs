@@ -25,7 +25,7 @@ pub(super) static ELLIPSOID: Builtin = Builtin {
     ],
     genus: Some(0),
     build: |values| from(values).mesh(values[0] as u32, values[1] as u32),
-    contour: Some(|values| Box::new(from(values))),
+    contour: Some(|values| Ok(Box::new(from(values)))),
 };
 
 fn from(values: &[f64]) -> Ellipsoid {

@@ -26,9 +26,10 @@ pub const BUILTINS: &[&Builtin] = &[
 ];
 
 /// Makes a smooth surface from one value per argument.
-type SurfaceOf = fn(&[f64]) -> Box<dyn AnalyticContour>;
+type SurfaceOf = fn(&[f64]) -> Result<Box<dyn AnalyticContour>, ShapeError>;
 
 /// One built-in shape. Its [`Display`](fmt::Display) form is its usage, `torus[:around,across,major-radius,…]`.
+#[derive(Debug)]
 pub struct Builtin {
     /// Name on the command line, in kebab case.
     pub name: &'static str,
@@ -222,11 +223,11 @@ pub fn by_name(text: &str) -> Result<TriangleMesh, ShapeError> {
 /// (see [`BUILTINS`]). The mesh's vertices lie on this surface.
 ///
 /// # Errors
-/// [`ShapeError`] for a name or argument that cannot be read. The combination of arguments is checked by [`by_name`].
+/// [`ShapeError`], as [`by_name`], but for the number of faces.
 pub fn contour_by_name(text: &str) -> Result<Option<Box<dyn AnalyticContour>>, ShapeError> {
     let (builtin, values) = resolve(text)?;
     builtin.check(&values, 0)?;
-    Ok(builtin.contour.map(|contour| contour(&values)))
+    builtin.contour.map(|contour| contour(&values)).transpose()
 }
 
 fn resolve(text: &str) -> Result<(&'static Builtin, Vec<f64>), ShapeError> {

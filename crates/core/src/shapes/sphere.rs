@@ -22,7 +22,7 @@ pub(super) static ICOSPHERE: Builtin = Builtin {
     ],
     genus: Some(0),
     build: |values| Sphere { radius: values[1] }.icosphere(values[0] as u32),
-    contour: Some(|values| Box::new(Sphere { radius: values[1] })),
+    contour: Some(|values| Ok(Box::new(Sphere { radius: values[1] }))),
 };
 
 pub(super) static UV_SPHERE: Builtin = Builtin {
@@ -35,7 +35,7 @@ pub(super) static UV_SPHERE: Builtin = Builtin {
     ],
     genus: Some(0),
     build: |values| Sphere { radius: values[2] }.uv_mesh(values[0] as u32, values[1] as u32),
-    contour: Some(|values| Box::new(Sphere { radius: values[2] })),
+    contour: Some(|values| Ok(Box::new(Sphere { radius: values[2] }))),
 };
 
 impl Default for Sphere {

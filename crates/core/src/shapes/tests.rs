@@ -95,7 +95,7 @@ fn vertices_lie_on_the_surface_whose_contour_is_known() {
         }
     }
     assert!(contour_by_name("gear").unwrap().is_none());
-    assert!(contour_by_name("torus:1").is_err());
+    assert!(contour_by_name("torus:1").is_err() && contour_by_name("torus:9,9,1,2").is_err());
 }
 
 #[test]

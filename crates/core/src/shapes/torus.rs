@@ -25,7 +25,11 @@ pub(super) static TORUS: Builtin = Builtin {
     ],
     genus: Some(1),
     build: |values| from(values).mesh(values[0] as u32, values[1] as u32),
-    contour: Some(|values| Box::new(from(values))),
+    contour: Some(|values| {
+        let torus = from(values);
+        torus.check_radii()?;
+        Ok(Box::new(torus))
+    }),
 };
 
 fn from(values: &[f64]) -> Torus {
@@ -48,14 +52,19 @@ impl Torus {
         let Self { major_radius, minor_radius } = *self;
         let faces = 2 * u64::from(around) * u64::from(across);
         TORUS.check(&[f64::from(around), f64::from(across), major_radius, minor_radius], faces)?;
-        if !(0.01 * major_radius..major_radius).contains(&minor_radius) {
-            let rule = "minor-radius must be below major-radius and at least a hundredth of it";
-            return Err(ShapeError::Combination { shape: TORUS.name, rule });
-        }
+        self.check_radii()?;
         Ok(Lattice::closed(around, across).mesh(|column, row| {
             let (sin, cos) = super::turn(row, across).sin_cos();
             super::around_y(super::turn(column, around)) * (major_radius + minor_radius * cos)
                 + DVec3::Y * (minor_radius * sin)
         }))
+    }
+
+    fn check_radii(&self) -> Result<(), ShapeError> {
+        if (0.01 * self.major_radius..self.major_radius).contains(&self.minor_radius) {
+            return Ok(());
+        }
+        let rule = "minor-radius must be below major-radius and at least a hundredth of it";
+        Err(ShapeError::Combination { shape: TORUS.name, rule })
     }
 }

@@ -16,7 +16,8 @@ use torus::TorusCurve;
 /// A surface whose contour generator is known.
 ///
 /// Shapes: [`Sphere`](super::Sphere), [`Ellipsoid`](super::Ellipsoid), [`Cylinder`](super::Cylinder),
-/// [`Torus`](super::Torus), each with the dimensions of its struct.
+/// [`Torus`](super::Torus), each with the dimensions of its struct, which must be such that it can be
+/// meshed.
 pub trait AnalyticContour: Send + Sync {
     /// The curves of the contour generator. Empty where there is none: for a convex shape exactly when the eye is not
     /// outside of it (a torus has a contour even from within its tube). Curves may share end points; their direction has
