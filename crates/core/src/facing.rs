@@ -10,9 +10,9 @@
 //! The sign is first evaluated in `f32`. With the unit roundoff `u = 2^-24`, each of the six products in the expansion
 //! passes through at most eight roundings (three differences, two products, three sums), so the computed value differs
 //! from the true one by at most `8u / (1 - 8u)` times the sum of the products' magnitudes, `M`. `M` itself is evaluated
-//! with at most eight roundings and no cancellation. [`RELATIVE_BOUND`] `= 9u` covers both and the rounding of the bound
+//! with at most eight roundings and no cancellation. A relative bound of `9u` covers both and the rounding of the bound
 //! itself. Products that underflow lose at most `2^-150` each, once in the six inner and once in the three outer ones:
-//! `2^-148 (|p| + 1)` in all, covered by [`UNDERFLOW_BOUND`]. Overflow makes the bound infinite or NaN and the test fails.
+//! `2^-148 (|p| + 1)` in all, covered by `2^-146 (|p| + 1)`. Overflow makes the bound infinite or NaN and the test fails.
 //! Where the filter cannot certify the sign, it is computed exactly: `robust::orient3d` for an eye, an expansion sum for a
 //! direction (whose end point would have to be rounded to be a point).
 

@@ -1,0 +1,151 @@
+//! The command line, as clap reads it.
+
+use crate::camera::CameraArguments;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Find, draw and compare the silhouettes of triangle meshes.
+///
+/// MESH is a file (.obj .ply .off .stl .gltf .glb) or builtin:NAME, for example builtin:torus or builtin:blob:100000.
+#[derive(Debug, Parser)]
+#[command(name = "silhouettes", version, subcommand_required = true, arg_required_else_help = true)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Say which adapter draws, what runs where, and the remedy where nothing does
+    #[command(after_help = "Examples:\n  silhouettes doctor\n  SILHOUETTES_ADAPTER=software silhouettes doctor")]
+    Doctor,
+    /// Count and check a mesh: components, genus, boundary loops and every defect with its ids
+    #[command(after_help = "Examples:\n  silhouettes inspect bunny.obj\n  silhouettes inspect builtin:moebius --json")]
+    Inspect(InspectArguments),
+    /// Find silhouette edges and loops; write JSON, SVG or OBJ
+    #[command(after_help = "Examples:\n  \
+        silhouettes extract bunny.obj --eye 0,0.1,1\n  \
+        silhouettes extract builtin:torus --view iso -o torus.svg\n  \
+        silhouettes extract part.stl --ortho fit --view front -o outline.obj\n\n\
+        JSON: {\"method\", \"mesh\": {\"vertices\", \"triangles\"}, \"viewpoint\", \"edges\": [[a,b]...], \"boundary\": [[a,b]...],\n\
+        \"loops\": [[v...]...], \"stats\"}. Edges have a < b and are sorted; \"edges\" holds all silhouette edges, \"boundary\"\n\
+        those among them that have one face only. Loops run with the front face on the left.")]
+    Extract(ExtractArguments),
+    /// Draw the lines of one method to a PNG
+    #[command(after_help = "Examples:\n  \
+        silhouettes render bunny.obj --method brute-force -o bunny.png\n  \
+        silhouettes render bunny.obj --method image-precision --set scale=0.97 -o bunny.png\n  \
+        silhouettes render builtin:knot --view iso --size 512x512 --width 2 -o knot.png")]
+    Render(RenderArguments),
+    /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline
+    #[command(after_help = "Examples:\n  \
+        silhouettes compare bunny.obj -o out/bunny\n  \
+        silhouettes compare bunny.obj fandisk.obj --methods brute-force,image-precision --profile quick -o out/two\n  \
+        silhouettes compare -o out/builtin")]
+    Compare(CompareArguments),
+}
+
+/// Arguments of `inspect`.
+#[derive(Debug, Args)]
+pub struct InspectArguments {
+    /// Mesh file or builtin:NAME
+    pub mesh: String,
+    /// Everything as JSON, each defect with all of its ids
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Which method, and how.
+#[derive(Debug, Clone, Args)]
+pub struct MethodArguments {
+    /// Name of the method
+    #[arg(long, value_name = "NAME", default_value = "brute-force")]
+    pub method: String,
+    /// An option of the method; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Arguments of `extract`.
+#[derive(Debug, Args)]
+pub struct ExtractArguments {
+    /// Mesh file or builtin:NAME
+    pub mesh: String,
+    #[command(flatten)]
+    pub method: MethodArguments,
+    /// Output file: .json, .svg or .obj [default: JSON on standard output]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+}
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+pub struct RenderArguments {
+    /// Mesh file or builtin:NAME
+    pub mesh: String,
+    #[command(flatten)]
+    pub method: MethodArguments,
+    /// Width of the pen in pixels
+    #[arg(long, value_name = "PX", default_value_t = 1.5)]
+    pub width: f64,
+    /// Samples a pixel: 1, or 4 for smooth lines
+    #[arg(long, value_name = "N", default_value = "4", value_parser = samples)]
+    pub samples: u32,
+    /// Output file (.png)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+}
+
+fn samples(text: &str) -> Result<u32, String> {
+    text.parse().ok().filter(|samples| [1, 4].contains(samples)).ok_or_else(|| "expected 1 or 4".to_owned())
+}
+
+/// How much a comparison measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ProfileArgument {
+    /// Small pictures, few views: about a minute for a real mesh in software
+    Quick,
+    /// Large pictures, many views
+    Full,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// Mesh files or builtin:NAME [default: a set of built-in shapes]
+    pub meshes: Vec<String>,
+    /// Names of the methods, separated by commas [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub methods: Vec<String>,
+    /// How much to measure
+    #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
+    pub profile: ProfileArgument,
+    /// Folder for the report; made, or replaced where it holds an earlier report
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_shows_an_example() {
+        for command in Arguments::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(help.contains(&format!("silhouettes {}", command.get_name())), "{}", command.get_name());
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! `silhouettes compare`: methods on meshes, measured for speed and accuracy, and the report.
+
+use crate::args::{CompareArguments, ProfileArgument};
+use crate::failure::Failure;
+use crate::input;
+use crate::progress::TerminalProgress;
+use silhouette_compare::record::Profile;
+use silhouette_compare::registry;
+use silhouette_compare::runner::{CompareConfig, CompareError, MethodChoice};
+use silhouette_compare::{report, run as run_comparison};
+use silhouette_core::method::OptionValues;
+use silhouette_render::{AdapterChoice, Gpu};
+
+/// What is compared on where no mesh is named: smooth, sharp and self-occluding.
+const DEFAULT_MESHES: [&str; 3] = ["builtin:torus", "builtin:gear", "builtin:knot"];
+
+/// Runs the command.
+pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
+    let mut config = CompareConfig::new(match arguments.profile {
+        ProfileArgument::Quick => Profile::Quick,
+        ProfileArgument::Full => Profile::Full,
+    });
+    if !arguments.methods.is_empty() {
+        config.methods = arguments.methods.iter().map(|name| choice(name)).collect::<Result<_, _>>()?;
+    }
+    let destination = report::Destination::open(&arguments.output).map_err(Failure::input)?;
+    let progress = TerminalProgress::new();
+    let defaults = DEFAULT_MESHES.map(str::to_owned);
+    let named = if arguments.meshes.is_empty() { &defaults[..] } else { &arguments.meshes[..] };
+    let meshes = named.iter().map(|mesh| input::mesh(mesh, &progress)).collect::<Result<Vec<_>, _>>()?;
+    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;
+    let comparison = run_comparison(&config, &meshes, &gpu, &progress).map_err(failure)?;
+    report::write(&comparison, destination).map_err(Failure::run)
+}
+
+fn choice(name: &str) -> Result<MethodChoice, Failure> {
+    let entry = registry::find(name).map_err(Failure::input)?;
+    Ok(MethodChoice { entry, options: OptionValues::defaults(entry.info.options) })
+}
+
+fn failure(error: CompareError) -> Failure {
+    match error {
+        input @ (CompareError::Nothing { .. } | CompareError::SameName { .. } | CompareError::EmptyMesh { .. }) => {
+            Failure::input(input)
+        }
+        other => Failure::run(other),
+    }
+}

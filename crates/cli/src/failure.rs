@@ -1,0 +1,111 @@
+//! How a command fails: one line on stderr and an exit code.
+
+use silhouette_core::load::LoadError;
+use silhouette_core::method::{OptionError, PrepareError};
+use silhouette_core::progress::Cancelled;
+use silhouette_core::view::ViewError;
+use std::fmt::Display;
+use std::io::Write;
+use std::process::ExitCode;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug)]
+pub enum Failure {
+    /// Bad usage or bad input: exit code 2. The message names the file or argument, the place and the mend.
+    Input(String),
+    /// The run itself failed: exit code 1.
+    Run(String),
+}
+
+impl Failure {
+    /// Bad usage or bad input.
+    pub fn input(message: impl Display) -> Self {
+        Self::Input(message.to_string())
+    }
+
+    /// The run itself failed.
+    pub fn run(message: impl Display) -> Self {
+        Self::Run(message.to_string())
+    }
+
+    /// Prints the line; yields the exit code.
+    pub fn report(&self) -> ExitCode {
+        let (message, code) = match self {
+            Self::Input(message) => (message, 2),
+            Self::Run(message) => (message, 1),
+        };
+        // Where stderr is closed there is nobody to tell; the exit code still says it.
+        let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));
+        ExitCode::from(code)
+    }
+}
+
+/// clap's message as one line: its paragraphs up to the usage, which `--help` shows.
+pub fn usage(error: &clap::Error) -> Failure {
+    let text = error.render().to_string();
+    let lines = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
+    let message = lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
+    Failure::Input(format!("{} (see silhouettes --help)", message.trim_start_matches("error: ")))
+}
+
+fn one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<OptionError> for Failure {
+    fn from(error: OptionError) -> Self {
+        Self::Input(format!("--set {error}"))
+    }
+}
+
+impl From<ViewError> for Failure {
+    fn from(error: ViewError) -> Self {
+        Self::Input(format!("camera: {error}"))
+    }
+}
+
+impl From<Cancelled> for Failure {
+    fn from(error: Cancelled) -> Self {
+        Self::run(error)
+    }
+}
+
+impl From<PrepareError> for Failure {
+    fn from(error: PrepareError) -> Self {
+        match error {
+            PrepareError::Option(error) => error.into(),
+            other => Self::run(other),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::Arguments;
+    use clap::Parser;
+
+    fn message(words: &[&str]) -> String {
+        let error = Arguments::try_parse_from(words).unwrap_err();
+        match usage(&error) {
+            Failure::Input(message) | Failure::Run(message) => message,
+        }
+    }
+
+    #[test]
+    fn usage_errors_are_one_line_that_names_the_argument() {
+        let two_numbers = message(&["silhouettes", "extract", "builtin:cube", "--eye", "1,2"]);
+        assert!(two_numbers.contains("--eye") && two_numbers.contains("three numbers"), "{two_numbers}");
+        let missing = message(&["silhouettes", "extract"]);
+        assert!(missing.contains("<MESH>"), "{missing}");
+        for text in [two_numbers, missing] {
+            assert_eq!(text.lines().count(), 1);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! `silhouettes inspect`: what a mesh is and what is wrong with it.
+
+use crate::args::InspectArguments;
+use crate::failure::Failure;
+use crate::input;
+use crate::output::Output;
+use crate::progress::TerminalProgress;
+use serde::Serialize;
+use silhouette_core::Topology;
+use silhouette_core::inspect::{Defects, Inspection, inspect};
+use std::fmt::{Display, Write};
+
+/// How many ids of a kind of defect the text shows; `--json` holds all.
+const IDS_SHOWN: usize = 8;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    mesh: &'a str,
+    #[serde(flatten)]
+    inspection: &'a Inspection,
+}
+
+/// Runs the command.
+pub fn run(arguments: &InspectArguments) -> Result<(), Failure> {
+    let progress = TerminalProgress::new();
+    let named = input::mesh(&arguments.mesh, &progress)?;
+    let topology = named.mesh.artefact::<Topology>("inspect", &progress)?;
+    let inspection = inspect(named.mesh.mesh(), &topology);
+    let mut text = if arguments.json {
+        serde_json::to_string_pretty(&Document { mesh: &named.name, inspection: &inspection }).map_err(Failure::run)?
+    } else {
+        summary(&named.name, &inspection)
+    };
+    text.push('\n');
+    Output::Stdout.write(text.as_bytes())
+}
+
+fn summary(name: &str, found: &Inspection) -> String {
+    let mut text = format!("{name}\n");
+    let mut row = |label: &str, value: String| {
+        let _ = writeln!(text, "  {label:<16} {value}");
+    };
+    row("vertices", found.vertices.to_string());
+    row("edges", format!("{} ({} boundary)", found.edges, found.boundary_edges));
+    row("faces", found.faces.to_string());
+    let holds = |holds: bool, yes: &str, no: &str| if holds { yes.to_owned() } else { no.to_owned() };
+    let kinds = [
+        holds(found.is_closed, "closed", "open"),
+        holds(found.is_manifold, "manifold", "non-manifold"),
+        holds(found.is_consistently_wound, "consistently wound", "inconsistently wound"),
+        holds(found.is_orientable, "orientable", "not orientable"),
+    ];
+    row("surface", kinds.join(", "));
+    row("components", found.components.len().to_string());
+    row("genus", found.genus.map_or_else(|| "undefined".to_owned(), |genus| genus.to_string()));
+    row("Euler number", found.euler_characteristic.to_string());
+    let lengths: Vec<_> = found.boundary_loops.iter().map(|boundary| boundary.edges).collect();
+    let edges = if lengths.is_empty() { String::new() } else { format!(" (edges: {})", shown(&lengths)) };
+    row("boundary loops", format!("{}{edges}", lengths.len()));
+    if let Some(extent) = found.extent {
+        let [a, b] = [extent.min, extent.max].map(|p| p.map(|c| format!("{c:.6}")).join(", "));
+        row("extent", format!("[{a}] to [{b}], diagonal {:.6}", extent.diagonal));
+    }
+    if let Some(lengths) = found.edge_lengths {
+        row("edge length", format!("{:.3e} to {:.3e}, mean {:.3e}", lengths.min, lengths.max, lengths.mean));
+    }
+    if let Some(angle) = found.smallest_angle {
+        row("smallest angle", format!("{:.3} degrees, face {}", angle.angle_deg, angle.face));
+    }
+    if found.defects.is_empty() {
+        text.push_str("  no defects");
+    } else {
+        text.push_str("  defects");
+        list_defects(&found.defects, &mut text);
+    }
+    text
+}
+
+fn list_defects(defects: &Defects, text: &mut String) {
+    let pairs = |edges: &[silhouette_core::inspect::EdgeDefect]| {
+        shown(&edges.iter().map(|edge| format!("{}-{}", edge.vertices[0], edge.vertices[1])).collect::<Vec<_>>())
+    };
+    let ids = [
+        pairs(&defects.non_manifold_edges),
+        shown(&defects.non_manifold_vertices),
+        pairs(&defects.inconsistent_edges),
+        shown(&defects.zero_area_faces),
+        shown(&defects.repeated_vertex_faces),
+        groups(&defects.duplicate_faces),
+        shown(&defects.unreferenced_vertices),
+        groups(&defects.duplicate_vertices),
+    ];
+    for ((kind, count), ids) in defects.counts().into_iter().zip(ids) {
+        if count > 0 {
+            let _ = write!(text, "\n    {count} {kind}: {ids}");
+        }
+    }
+}
+
+/// The first few, and whether there are more.
+fn shown(items: &[impl Display]) -> String {
+    let first: Vec<_> = items.iter().take(IDS_SHOWN).map(ToString::to_string).collect();
+    let more = if items.len() > IDS_SHOWN { ", ... (all with --json)" } else { "" };
+    format!("{}{more}", first.join(", "))
+}
+
+fn groups(groups: &[Vec<impl Display>]) -> String {
+    let group = |ids: &Vec<_>| ids.iter().map(ToString::to_string).collect::<Vec<_>>().join("=");
+    shown(&groups.iter().map(group).collect::<Vec<_>>())
+}

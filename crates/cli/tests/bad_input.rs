@@ -1,0 +1,183 @@
+//! Bad input: one line on stderr that names the place, exit code 2, nothing written.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn file(&self, name: &str, bytes: impl AsRef<[u8]>) -> String {
+        fs::write(self.path(name), bytes).unwrap();
+        self.path(name).to_str().unwrap().to_owned()
+    }
+
+    fn names(&self) -> Vec<String> {
+        let mut names: Vec<_> =
+            self.0.path().read_dir().unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+}
+
+fn silhouettes(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_silhouettes")).args(arguments).output().unwrap()
+}
+
+/// Runs a command that must be refused; yields its one line.
+fn refused(arguments: &[&str]) -> String {
+    let output = silhouettes(arguments);
+    let line = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {line}");
+    assert_eq!(line.lines().count(), 1, "{arguments:?}: {line}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+    line
+}
+
+/// Extracting from a bad mesh is refused with a line that names the file and holds `expected`, and writes nothing.
+fn bad_mesh(folder: &Folder, mesh: &str, expected: &str) {
+    let before = folder.names();
+    let result = folder.path("result.json");
+    let line = refused(&["extract", mesh, "-o", result.to_str().unwrap()]);
+    let name = Path::new(mesh).file_name().unwrap().to_str().unwrap();
+    assert!(line.contains(name) && line.contains(expected), "wanted '{expected}' in: {line}");
+    assert_eq!(folder.names(), before, "nothing is written");
+}
+
+fn binary_stl(promised: u32, present: usize) -> Vec<u8> {
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(promised.to_le_bytes());
+    for face in 0..present {
+        bytes.extend([0; 12]);
+        for corner in [[0.0, 0.0, face as f32], [1.0, 0.0, face as f32], [0.0, 1.0, face as f32]] {
+            corner.iter().for_each(|c: &f32| bytes.extend(c.to_le_bytes()));
+        }
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+fn binary_ply(vertices: &str, faces: &str) -> Vec<u8> {
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
+         property float z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    .into_bytes();
+    for coordinate in [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0] {
+        bytes.extend(coordinate.to_le_bytes());
+    }
+    bytes.push(3);
+    [0_i32, 1, 2].iter().for_each(|index| bytes.extend(index.to_le_bytes()));
+    bytes
+}
+
+#[test]
+fn files_that_are_none() {
+    let folder = Folder::new();
+    bad_mesh(&folder, folder.path("missing.obj").to_str().unwrap(), "");
+    fs::create_dir(folder.path("folder.obj")).unwrap();
+    bad_mesh(&folder, folder.path("folder.obj").to_str().unwrap(), "directory");
+    for name in ["empty.obj", "empty.ply", "empty.off", "empty.stl", "empty.glb", "empty.gltf"] {
+        bad_mesh(&folder, &folder.file(name, ""), "empty");
+    }
+    bad_mesh(&folder, &folder.file("mesh.xyz", OBJ), ".obj");
+    bad_mesh(&folder, &folder.file("mesh", OBJ), ".obj");
+}
+
+#[test]
+fn truncated_binary_files() {
+    let folder = Folder::new();
+    bad_mesh(&folder, &folder.file("short.stl", &binary_stl(2, 2)[..160]), "");
+    let ply = binary_ply("3", "1");
+    assert!(silhouettes(&["extract", &folder.file("whole.ply", &ply)]).status.success());
+    bad_mesh(&folder, &folder.file("short.ply", &ply[..ply.len() - 3]), "");
+    bad_mesh(&folder, &folder.file("header.ply", &ply[..60]), "");
+    let mut glb = b"glTF".to_vec();
+    glb.extend(2_u32.to_le_bytes());
+    glb.extend(4000_u32.to_le_bytes());
+    bad_mesh(&folder, &folder.file("short.glb", glb), "");
+}
+
+#[test]
+fn indices_and_coordinates() {
+    let folder = Folder::new();
+    bad_mesh(&folder, &folder.file("zero.obj", OBJ.replace("f 1 2 3", "f 0 1 2")), "line 4");
+    bad_mesh(&folder, &folder.file("far.obj", OBJ.replace("f 1 2 3", "f 1 2 4")), "line 4");
+    bad_mesh(&folder, &folder.file("negative.obj", OBJ.replace("f 1 2 3", "f -1 -2 -4")), "line 4");
+    bad_mesh(&folder, &folder.file("nan.obj", OBJ.replace("v 1 0 0", "v nan 0 0")), "line 2");
+    bad_mesh(&folder, &folder.file("infinite.obj", OBJ.replace("v 1 0 0", "v inf 0 0")), "line 2");
+    bad_mesh(&folder, &folder.file("overflow.obj", OBJ.replace("v 1 0 0", "v 1e39 0 0")), "line 2");
+    bad_mesh(&folder, &folder.file("nan.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"), "line 4");
+    bad_mesh(&folder, &folder.file("far.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "line 6");
+    bad_mesh(&folder, &folder.file("none.obj", "v 0 0 0\n"), "face");
+    bad_mesh(&folder, &folder.file("none.off", "OFF\n1 0 0\n0 0 0\n"), "face");
+    let mut nan = binary_stl(1, 1);
+    nan[96..100].copy_from_slice(&f32::NAN.to_le_bytes());
+    bad_mesh(&folder, &folder.file("nan.stl", nan), "");
+}
+
+/// A limit on the address space turns a large allocation into a failure.
+#[test]
+fn headers_that_promise_billions_allocate_little() {
+    let folder = Folder::new();
+    let files = [
+        folder.file("many.stl", binary_stl(u32::MAX, 1)),
+        folder.file("vertices.ply", binary_ply("4000000000", "1")),
+        folder.file("faces.ply", binary_ply("3", "4000000000")),
+        folder.file("ascii.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n"),
+        folder.file("many.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+    ];
+    for file in &files {
+        bad_mesh(&folder, file, "");
+        let binary = env!("CARGO_BIN_EXE_silhouettes");
+        let limited = Command::new("sh")
+            .args(["-c", "ulimit -v 4000000; exec \"$0\" extract \"$1\"", binary, file])
+            .output()
+            .unwrap();
+        assert_eq!(limited.status.code(), Some(2), "{file}: {}", String::from_utf8_lossy(&limited.stderr));
+    }
+}
+
+#[test]
+fn outputs_that_cannot_be_written() {
+    let folder = Folder::new();
+    let mesh = folder.file("mesh.obj", OBJ);
+    let into_missing = folder.path("missing/x.json");
+    assert!(refused(&["extract", &mesh, "-o", into_missing.to_str().unwrap()]).contains("missing"));
+    fs::create_dir(folder.path("x.json")).unwrap();
+    assert!(refused(&["extract", &mesh, "-o", folder.path("x.json").to_str().unwrap()]).contains("directory"));
+    assert!(refused(&["extract", &mesh, "-o", folder.path("x.pdf").to_str().unwrap()]).contains(".svg"));
+    assert!(refused(&["render", &mesh, "-o", folder.path("x.jpg").to_str().unwrap()]).contains(".png"));
+    assert!(refused(&["compare", &mesh, "-o", &folder.file("taken", "mine")]).contains("taken"));
+    assert_eq!(fs::read(folder.path("taken")).unwrap(), b"mine", "nothing a user made is lost");
+    assert_eq!(folder.names(), ["mesh.obj", "taken", "x.json"]);
+}
+
+#[test]
+fn arguments() {
+    let folder = Folder::new();
+    let mesh = folder.file("mesh.obj", OBJ);
+    assert!(refused(&["extract", &mesh, "--eye", "1,2"]).contains("three numbers"));
+    assert!(refused(&["extract", &mesh, "--eye", "1,2,nan"]).contains("--eye"));
+    assert!(refused(&["extract", &mesh, "--method", "brute-farce"]).contains("brute-force"));
+    assert!(refused(&["extract", &mesh, "--method", "image-precision"]).contains("extracts no edges"));
+    assert!(refused(&["extract", &mesh, "--set", "speed=9"]).contains("speed"));
+    assert!(refused(&["extract", "builtin:teacup"]).contains("torus"));
+    assert!(refused(&["extract", "builtin:torus:1"]).contains("torus"));
+    assert!(refused(&["extract", &mesh, "--fov", "180", "--view", "iso"]).contains("field of view"));
+    assert!(refused(&["render", &mesh, "--size", "0x9", "-o", "x.png"]).contains("viewport"));
+    assert!(refused(&["render", &mesh, "--method", "image-precision", "--set", "scale=0", "-o", "x.png"]).contains("scale"));
+    assert!(refused(&["compare", "--methods", "none", "-o", "x"]).contains("none"));
+    assert!(refused(&["bake", &mesh]).contains("bake"));
+}

@@ -1,0 +1,72 @@
+//! What `extract`, `inspect` and `doctor` write.
+
+use serde_json::Value;
+use std::process::Command;
+
+fn stdout(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_silhouettes")).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty(), "silent where stderr is no terminal");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&stdout(arguments)).unwrap()
+}
+
+/// A cube seen along an axis shows one face; seen from a corner, three.
+#[test]
+fn a_cube_has_the_silhouette_of_a_square_or_a_hexagon() {
+    for (eye, sides) in [("0.1,0.2,9", 4), ("7,8,9", 6)] {
+        let found = json(&["extract", "builtin:cube", "--eye", eye]);
+        assert_eq!(found["method"], "brute-force");
+        assert_eq!((found["mesh"]["vertices"].as_u64(), found["mesh"]["triangles"].as_u64()), (Some(8), Some(12)));
+        let edges = found["edges"].as_array().unwrap();
+        let pairs: Vec<[u64; 2]> = edges.iter().map(|edge| [0, 1].map(|i| edge[i].as_u64().unwrap())).collect();
+        assert_eq!(pairs.len(), sides);
+        assert!(pairs.is_sorted() && pairs.iter().all(|[a, b]| a < b), "{pairs:?}");
+        assert_eq!(found["boundary"].as_array().unwrap().len(), 0);
+        assert_eq!(found["loops"].as_array().unwrap().len(), 1);
+        assert_eq!(found["loops"][0].as_array().unwrap().len(), sides);
+        assert_eq!(found["stats"]["faces_tested"], 12);
+    }
+}
+
+#[test]
+fn boundary_edges_are_listed_in_both_places() {
+    let found = json(&["extract", "builtin:grid", "--eye", "0.1,9,0.2"]);
+    assert!(!found["boundary"].as_array().unwrap().is_empty());
+    assert_eq!(found["boundary"], found["edges"]);
+}
+
+#[test]
+fn svg_and_obj_hold_a_closed_path_a_loop() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    stdout(&["extract", "builtin:cube", "--view", "iso", "-o", &path("x.svg")]);
+    let svg = std::fs::read_to_string(path("x.svg")).unwrap();
+    assert_eq!((svg.matches("<path").count(), svg.matches("L").count()), (1, 5), "{svg}");
+    assert!(svg.contains("viewBox=\"0 0 1024 1024\""), "{svg}");
+    stdout(&["extract", "builtin:cube", "--view", "iso", "-o", &path("x.obj")]);
+    let obj = std::fs::read_to_string(path("x.obj")).unwrap();
+    assert_eq!(obj.lines().filter(|line| line.starts_with("v ")).count(), 6);
+    let line = obj.lines().find(|line| line.starts_with("l ")).unwrap();
+    let numbers: Vec<_> = line.split(' ').skip(1).collect();
+    assert_eq!((numbers.len(), numbers[0]), (7, numbers[6]), "closed");
+}
+
+#[test]
+fn orthographic_and_far_views_agree() {
+    let ortho = json(&["extract", "builtin:torus", "--ortho", "fit", "--view", "iso"]);
+    let far = json(&["extract", "builtin:torus", "--eye", "1e8,1e8,1e8"]);
+    assert_eq!(ortho["edges"], far["edges"]);
+    assert_ne!(ortho["viewpoint"], far["viewpoint"]);
+}
+
+#[test]
+fn inspect_counts_and_names_defects() {
+    let torus = json(&["inspect", "builtin:torus", "--json"]);
+    assert!(torus.to_string().contains("\"genus\""), "{torus}");
+    let text = stdout(&["inspect", "builtin:moebius"]);
+    assert!(text.contains("boundary loops"), "{text}");
+}

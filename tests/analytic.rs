@@ -1,0 +1,64 @@
+//! Mesh silhouettes against contours in closed form.
+
+use crate::zoo;
+use silhouette_core::shapes::{AnalyticContour, Sphere};
+use silhouette_core::{Topology, TriangleMesh, Viewpoint};
+
+fn longest_edge(mesh: &TriangleMesh) -> f64 {
+    let topology = Topology::new(mesh);
+    let length = |edge| {
+        let [a, b] = topology.end_points(edge).map(|vertex| mesh.positions()[vertex.index()].as_dvec3());
+        a.distance(b)
+    };
+    topology.edges().ids().map(length).fold(0.0, f64::max)
+}
+
+/// Farthest distance from the mesh's silhouette vertices to the sphere's contour circle.
+fn distance_to_circle(sphere: &Sphere, mesh: &TriangleMesh, viewpoint: &Viewpoint) -> f64 {
+    let circle = sphere.contour(viewpoint)[0].polyline(4096);
+    let seen = zoo::look(mesh, viewpoint);
+    let vertices = seen.edges.iter().flat_map(|edge| seen.topology.end_points(edge));
+    let to_circle = |p: glam::DVec3| circle.iter().map(|c| c.distance(p)).fold(f64::INFINITY, f64::min);
+    vertices.map(|vertex| to_circle(mesh.positions()[vertex.index()].as_dvec3())).fold(0.0, f64::max)
+}
+
+/// How far silhouette vertices may stray from the circle, in longest edges.
+///
+/// A vertex belongs to the silhouette if the contour separates the circumcentres of the faces around it, which on a flat
+/// lattice of equilateral triangles lie within `1 / sqrt(3)` edges of it. Curvature adds a term in the edge's length, more
+/// of it where a near eye makes the sphere look more curved.
+fn stray_bound(longest_edge: f64, radius: f64) -> f64 {
+    1.0 / 3.0_f64.sqrt() + 0.005 + 0.3 * longest_edge / radius
+}
+
+#[test]
+fn icospheres_stay_within_an_edge_and_a_fraction_of_the_circle() {
+    let sphere = Sphere::default();
+    for level in 2..=5 {
+        let mesh = sphere.icosphere(level).unwrap();
+        let longest = longest_edge(&mesh);
+        let bound = stray_bound(longest, sphere.radius) * longest;
+        for (index, direction) in zoo::directions(24).enumerate() {
+            let eye = direction * [1.3_f32, 3.0, 40.0][index % 3] * sphere.radius as f32;
+            for viewpoint in [Viewpoint::Perspective { eye }, Viewpoint::Orthographic { toward_viewer: direction }] {
+                let distance = distance_to_circle(&sphere, &mesh, &viewpoint);
+                assert!(distance <= bound, "level {level} from {viewpoint:?}: {distance} > {bound}");
+            }
+        }
+    }
+}
+
+/// The comparison notices another circle.
+#[test]
+fn the_circle_of_a_nearer_eye_is_too_far_away() {
+    let sphere = Sphere::default();
+    let mesh = sphere.icosphere(4).unwrap();
+    let seen_from = |distance: f32| Viewpoint::Perspective { eye: glam::Vec3::new(0.3, 0.8, 0.5).normalize() * distance };
+    let circle = sphere.contour(&seen_from(1.5 * sphere.radius as f32))[0].polyline(4096);
+    let seen = zoo::look(&mesh, &seen_from(30.0 * sphere.radius as f32));
+    let vertex = seen.topology.end_points(seen.edges.as_slice()[0])[0];
+    let p = mesh.positions()[vertex.index()].as_dvec3();
+    let distance = circle.iter().map(|c| c.distance(p)).fold(f64::INFINITY, f64::min);
+    let longest = longest_edge(&mesh);
+    assert!(distance > 2.0 * stray_bound(longest, sphere.radius) * longest);
+}

@@ -1,0 +1,8 @@
+//! Tests that need more than one crate, in one binary: one link step.
+
+mod analytic;
+mod cut_sets;
+mod measures;
+mod oracle;
+mod tidy;
+mod zoo;

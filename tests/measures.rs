@@ -1,0 +1,127 @@
+//! Areas, lengths and counts that a silhouette must have, by another route than the extraction's.
+
+use crate::zoo;
+use glam::DVec3;
+use proptest::prelude::*;
+use silhouette_core::loops::start_vertex;
+use silhouette_core::shapes::{Sphere, by_name};
+use silhouette_core::{FaceId, HalfEdgeId, Topology, TriangleMesh, VertexId, Viewpoint};
+use std::f64::consts::PI;
+
+fn position(mesh: &TriangleMesh, vertex: VertexId) -> DVec3 {
+    mesh.positions()[vertex.index()].as_dvec3()
+}
+
+fn ends(mesh: &TriangleMesh, half_edge: HalfEdgeId) -> [DVec3; 2] {
+    [half_edge, half_edge.next_in_face()].map(|h| position(mesh, start_vertex(mesh, h)))
+}
+
+fn vector_area(mesh: &TriangleMesh, face: FaceId) -> DVec3 {
+    let [a, b, c] = mesh.corners(face).map(|p| p.as_dvec3());
+    (b - a).cross(c - a) * 0.5
+}
+
+/// Angle between the normals at each interior edge, and the edge's length.
+fn bends(mesh: &TriangleMesh) -> impl Iterator<Item = (f64, f64)> {
+    let topology = Topology::new(mesh);
+    topology.edges().ids().collect::<Vec<_>>().into_iter().map(move |edge| {
+        let normals: Vec<_> = topology.faces(edge).map(|face| vector_area(mesh, face).normalize()).collect();
+        let [a, b] = topology.end_points(edge).map(|vertex| position(mesh, vertex));
+        (normals[0].angle_between(normals[1]), a.distance(b))
+    })
+}
+
+proptest! {
+    /// Stokes: the vector areas of the front faces add up to the loops' areas.
+    #[test]
+    fn loops_enclose_the_front_vector_area(mesh in prop_oneof![zoo::closed_mesh(), zoo::open_mesh()], viewpoint in zoo::viewpoint()) {
+        let seen = zoo::look(&mesh, &viewpoint);
+        let faces = (0..mesh.face_count()).map(FaceId::from_usize);
+        let front: DVec3 = faces.filter(|&face| seen.facings.is_front(face)).map(|face| vector_area(&mesh, face)).sum();
+        let enclosed: DVec3 = seen.loops.half_edges().iter().map(|&h| { let [a, b] = ends(&mesh, h); a.cross(b) * 0.5 }).sum();
+        prop_assert!(front.distance(enclosed) < 1e-10, "{} {}", front, enclosed);
+    }
+
+    /// Scaling by a power of two is exact, so it may not change a single edge, down to subnormal products.
+    #[test]
+    fn scale_changes_nothing(mesh in zoo::closed_mesh(), viewpoint in zoo::viewpoint(), exponent in -110_i32..60) {
+        let scale = 2.0_f32.powi(exponent);
+        let scaled = TriangleMesh::new(mesh.positions().iter().map(|&p| p * scale).collect(), mesh.triangles().to_vec()).unwrap();
+        let scaled_view = match viewpoint {
+            Viewpoint::Perspective { eye } => Viewpoint::Perspective { eye: eye * scale },
+            Viewpoint::Orthographic { toward_viewer } => Viewpoint::Orthographic { toward_viewer: toward_viewer * scale },
+        };
+        // Coordinates that scaling itself rounds make another mesh.
+        prop_assume!(scaled.positions().iter().zip(mesh.positions()).all(|(&s, &p)| s / scale == p));
+        prop_assert_eq!(zoo::look(&mesh, &viewpoint).edges, zoo::look(&scaled, &scaled_view).edges);
+    }
+}
+
+#[test]
+fn an_eye_infinitely_far_sees_the_orthographic_silhouette() {
+    let mesh = by_name("blob:20000").unwrap();
+    for direction in zoo::directions(20) {
+        let far = zoo::look(&mesh, &Viewpoint::Perspective { eye: direction * 1e9 });
+        let ortho = zoo::look(&mesh, &Viewpoint::Orthographic { toward_viewer: direction });
+        let differing = far.edges.iter().filter(|&edge| !ortho.edges.contains(edge)).count();
+        assert!(differing <= 2, "{differing} of {} edges from {direction}", ortho.edges.len());
+    }
+}
+
+#[test]
+fn orthographic_averages_follow_from_the_bends() {
+    let mesh = by_name("blob:3000").unwrap();
+    let (mut count, mut length, mut area) = (0.0, 0.0, 0.0);
+    let views = 2000;
+    for direction in zoo::directions(views) {
+        let seen = zoo::look(&mesh, &Viewpoint::Orthographic { toward_viewer: direction });
+        count += seen.edges.len() as f64;
+        let lengths = seen.edges.iter().map(|edge| {
+            let [a, b] = seen.topology.end_points(edge).map(|vertex| position(&mesh, vertex));
+            a.distance(b)
+        });
+        length += lengths.sum::<f64>();
+        let faces = (0..mesh.face_count()).map(FaceId::from_usize).filter(|&face| seen.facings.is_front(face));
+        area += faces.map(|face| vector_area(&mesh, face).dot(direction.as_dvec3())).sum::<f64>();
+    }
+    let expected_count: f64 = bends(&mesh).map(|(angle, _)| angle / PI).sum();
+    let expected_length: f64 = bends(&mesh).map(|(angle, length)| angle * length / PI).sum();
+    let surface: f64 = (0..mesh.face_count()).map(|face| vector_area(&mesh, FaceId::from_usize(face)).length()).sum();
+    for (name, sum, expected) in
+        [("edges", count, expected_count), ("length", length, expected_length), ("front area", area, surface / 4.0)]
+    {
+        let mean = sum / views as f64;
+        assert!((mean / expected - 1.0).abs() < 0.01, "{name}: mean {mean}, expected {expected}");
+    }
+}
+
+/// A polyhedron's silhouette is longer than the smooth one by 4 / pi, however fine the mesh.
+#[test]
+fn edge_silhouettes_of_a_sphere_stay_too_long() {
+    for level in 2..5 {
+        let mesh = Sphere::default().icosphere(level).unwrap();
+        let length: f64 = bends(&mesh).map(|(angle, length)| angle * length / PI).sum();
+        let circle = 2.0 * PI * Sphere::default().radius;
+        assert!((length / circle - 4.0 / PI).abs() < 0.03, "level {level}: {}", length / circle);
+    }
+}
+
+/// Signed solid angles of the faces add up to 0 outside of a closed mesh and to 4 pi inside; front faces are those that
+/// count negatively.
+#[test]
+fn front_faces_have_negative_solid_angles() {
+    let mesh = by_name("gear").unwrap();
+    for (scale, total) in [(5.0, 0.0), (0.6, 4.0 * PI)] {
+        let eye = glam::Vec3::new(0.73, 0.011, 0.0) * scale;
+        let seen = zoo::look(&mesh, &Viewpoint::Perspective { eye });
+        let mut sum = 0.0;
+        for face in (0..mesh.face_count()).map(FaceId::from_usize) {
+            let [a, b, c] = mesh.corners(face).map(|p| (p.as_dvec3() - eye.as_dvec3()).normalize());
+            let triple = a.dot(b.cross(c));
+            let angle = 2.0 * triple.atan2(1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+            assert!(angle.abs() < 1e-9 || (angle < 0.0) == seen.facings.is_front(face), "face {face}: {angle}");
+            sum += angle;
+        }
+        assert!((sum - total).abs() < 1e-9, "eye {eye}: {sum}");
+    }
+}
