@@ -1,0 +1,130 @@
+//! Wavefront OBJ: `v` rows and `f` rows; every other row is passed over.
+//!
+//! A vertex id is the rank of its `v` row, whatever groups and objects stand between. Of a corner `v/vt/vn` only `v`
+//! counts. A face may name vertices by number from 1, in rows that come later too, or backwards from the row reached so
+//! far (-1 is the vertex last read). A `\` at the end of a row joins the next one to it.
+
+use super::assembly::Assembly;
+use super::error::{Located, Problem};
+use super::lines::{Lines, Words};
+use super::steps::Steps;
+use crate::mesh::TriangleMesh;
+use glam::Vec3;
+
+/// Reads an OBJ file. O(bytes).
+pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+    let mut lines = Lines::new(bytes)?;
+    let mut joined = Vec::new();
+    let mut reader = Reader::default();
+    while let Some(line) = lines.next_line() {
+        let first_number = lines.number();
+        if line.ends_with(b"\\") && !line.trim_ascii_start().starts_with(b"#") {
+            join(line, &mut lines, &mut joined);
+            reader.row(Words::new(&joined, first_number))?;
+        } else {
+            reader.row(Words::new(line, first_number))?;
+        }
+        steps.reach(lines.offset())?;
+    }
+    reader.finish()
+}
+
+/// Collects a row and the rows that its trailing backslashes join to it.
+fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, joined: &mut Vec<u8>) {
+    joined.clear();
+    let mut line = first;
+    while let Some(continued) = line.strip_suffix(b"\\") {
+        joined.extend_from_slice(continued);
+        joined.push(b' ');
+        line = lines.next_line().unwrap_or_default();
+    }
+    joined.extend_from_slice(line);
+}
+
+#[derive(Default)]
+struct Reader {
+    assembly: Assembly,
+    /// Corners of the face being read; kept to spare an allocation a face.
+    corners: Vec<u32>,
+    /// Faces read so far, as the file counts them.
+    faces: u64,
+    /// The highest vertex number that was named before its row was read.
+    ahead: Option<Ahead>,
+}
+
+/// A vertex named before its row.
+struct Ahead {
+    number: i64,
+    face: u64,
+    line: u64,
+}
+
+impl Reader {
+    fn row(&mut self, mut words: Words<'_>) -> Result<(), Located> {
+        match words.word() {
+            b"v" => self.vertex(words),
+            b"f" => self.face(words),
+            _ => Ok(()),
+        }
+    }
+
+    fn vertex(&mut self, mut words: Words<'_>) -> Result<(), Located> {
+        let vertex = self.assembly.positions.len();
+        let mut coordinate = || words.coordinate(vertex);
+        let position = Vec3::new(coordinate()?, coordinate()?, coordinate()?);
+        self.assembly.positions.push(position);
+        Ok(())
+    }
+
+    fn face(&mut self, mut words: Words<'_>) -> Result<(), Located> {
+        self.corners.clear();
+        while !words.is_empty() {
+            let corner = words.word();
+            // A comment may follow the corners.
+            if corner.starts_with(b"#") {
+                break;
+            }
+            let vertex = self.resolve(corner, words.line())?;
+            self.corners.push(vertex);
+        }
+        self.assembly.polygon(self.faces, &self.corners).map_err(|problem| problem.at_line(words.line()))?;
+        self.faces += 1;
+        Ok(())
+    }
+
+    /// The vertex id that a corner `v/vt/vn` names.
+    fn resolve(&mut self, corner: &[u8], line: u64) -> Result<u32, Located> {
+        let end = corner.iter().position(|&b| b == b'/').unwrap_or(corner.len());
+        let number = super::lines::integer(&corner[..end], "a vertex number").map_err(|p| p.at_line(line))?;
+        let known = self.assembly.positions.len() as i64;
+        let id = match number {
+            0 => return Err(Problem::VertexZero.at_line(line)),
+            1.. => number - 1,
+            // Saturation keeps a number below -2^63 + V out of range.
+            _ => known.saturating_add(number),
+        };
+        let Ok(id) = u32::try_from(id) else { return Err(self.out_of_range(self.faces, number).at_line(line)) };
+        if i64::from(id) >= known && self.ahead.as_ref().is_none_or(|ahead| number > ahead.number) {
+            self.ahead = Some(Ahead { number, face: self.faces, line });
+        }
+        Ok(id)
+    }
+
+    fn out_of_range(&self, face: u64, index: i64) -> Problem {
+        let allowed = match self.assembly.positions.len() {
+            0 => "there are no vertices".to_owned(),
+            count if index < 0 => format!("only -{count} to -1 (or 1 to {count}) exist up to this line"),
+            count => format!("only 1 to {count} (or -{count} to -1) exist"),
+        };
+        Problem::VertexOutOfRange { face, index, allowed }
+    }
+
+    fn finish(self) -> Result<TriangleMesh, Located> {
+        if let Some(ahead) = &self.ahead
+            && ahead.number > self.assembly.positions.len() as i64
+        {
+            return Err(self.out_of_range(ahead.face, ahead.number).at_line(ahead.line));
+        }
+        self.assembly.finish()
+    }
+}

@@ -1,0 +1,14 @@
+//! Loading: what each format yields, down to the bit, and how each bad file is refused.
+
+mod cancelling;
+mod common;
+mod gltf;
+mod gltf_refused;
+mod obj;
+mod off;
+mod paths;
+mod ply;
+mod real_models;
+mod robustness;
+mod stl;
+mod weld;
