@@ -1,5 +1,5 @@
 //! Bytes that nobody wrote: random ones, and good files cut, overwritten and extended, never make a reader panic or
-//! yield a mesh that is larger than its bytes could describe.
+//! take more memory than its bytes could fill.
 
 use crate::common::square_rows;
 use proptest::prelude::*;
@@ -27,16 +27,22 @@ fn good_files() -> Vec<(Format, Vec<u8>)> {
     ]
 }
 
-/// Reads the bytes; the mesh, if there is one, is no larger than the format's densest notation allows.
+/// Most bytes of memory for a file of so many: what its densest notation unfolds into, with room for growing arrays.
+///
+/// A glTF primitive takes about 40 bytes and may name all of a buffer again; other formats are far below.
+fn most_memory(bytes: usize) -> u64 {
+    64 * 1024 + 48 * (bytes * (1 + bytes / 40)) as u64
+}
+
+/// Reads the bytes: into a mesh or a line that names the file, in memory that fits them.
 fn check(format: Format, bytes: &[u8]) -> Result<(), TestCaseError> {
-    // A glTF primitive takes about 40 bytes and may name all of a buffer again; the rest is much below.
-    let most = 12 * bytes.len() * (1 + bytes.len() / 40);
-    match read(format, "fuzzed", bytes, &NoProgress) {
-        Ok(mesh) => prop_assert!(mesh.bytes() <= most, "{format}: {} bytes from {}", mesh.bytes(), bytes.len()),
-        Err(error) => {
-            let line = error.to_string();
-            prop_assert!(line.starts_with("fuzzed") && !line.contains('\n'), "{line:?}");
-        }
+    let mut line = None;
+    let memory = allocation_counter::measure(|| line = read(format, "fuzzed", bytes, &NoProgress).err());
+    let most = most_memory(bytes.len());
+    prop_assert!(memory.bytes_max <= most, "{format}: {} bytes of memory for {}", memory.bytes_max, bytes.len());
+    if let Some(error) = line {
+        let line = error.to_string();
+        prop_assert!(line.starts_with("fuzzed") && !line.contains('\n'), "{line:?}");
     }
     Ok(())
 }
@@ -99,6 +105,39 @@ proptest! {
             }
             check(format, &bytes)?;
         }
+    }
+}
+
+/// Headers that promise four billion of something, on top of a few bytes.
+#[test]
+fn promises_take_no_memory() {
+    let ply = |encoding: &str, element: &str, property: &str| {
+        let xyz = "property float x\nproperty float y\nproperty float z\n";
+        let elements = format!("element vertex 1\n{xyz}element {element} 4294967295\n{property}end_header\n");
+        (Format::Ply, format!("ply\nformat {encoding} 1.0\n{elements}0 0 0\n      3 0 0 0").into_bytes())
+    };
+    let list = "property list uchar int vertex_indices\n";
+    let mut stl = crate::stl::binary(b"", &crate::stl::square());
+    stl[80..84].fill(0xff);
+    let gltf = crate::gltf::square(5125).embedded();
+    let files = [
+        (Format::Off, b"OFF\n4294967295 4294967295 0\n0 0 0\n".to_vec()),
+        (Format::Off, b"OFF\n1 4294967295 0\n0 0 0\n3 0 0 0\n".to_vec()),
+        (Format::Off, b"OFF\n1 1 0\n0 0 0\n4294967295 0 0 0\n".to_vec()),
+        ply("ascii", "face", list),
+        ply("binary_little_endian", "face", list),
+        ply("binary_big_endian", "tristrips", list),
+        ply("binary_little_endian", "nothing", ""),
+        (Format::Stl, stl),
+        (Format::Gltf, gltf.replace(r#""count":4"#, r#""count":4294967295"#).into_bytes()),
+        (
+            Format::Gltf,
+            gltf.replace(r#""bufferView":0,"#, "").replace(r#""count":4"#, r#""count":4294967295"#).into_bytes(),
+        ),
+    ];
+    for (format, bytes) in files {
+        assert!(check(format, &bytes).is_ok(), "{format} takes memory on a header's word");
+        assert!(read(format, "promise", &bytes, &NoProgress).is_err(), "{format}");
     }
 }
 
