@@ -1,0 +1,102 @@
+//! Views around a mesh: the same for every method and every run.
+
+use glam::DVec3;
+use silhouette_core::Camera;
+use silhouette_core::glam::Vec3;
+use silhouette_core::mesh::Bounds;
+use silhouette_core::view::{Framing, ViewError};
+use std::f64::consts::TAU;
+
+/// Azimuth of the first view. Neither it nor any multiple of the steps is a simple fraction of a turn, so that no view
+/// looks along an axis or a diagonal of a model, where many faces would be seen edge-on at once.
+const FIRST_AZIMUTH_RAD: f64 = 0.417;
+
+/// Middle of the elevations of an orbit, above the horizon.
+const ELEVATION_RAD: f64 = 0.31;
+
+/// How far the elevation swings to both sides in a turn.
+const SWING_RAD: f64 = 0.23;
+
+/// Angle between two frames of a smooth path: a slow pan at 60 frames a second takes six seconds a turn.
+const FRAME_STEP_RAD: f64 = TAU / 360.0;
+
+/// An inclined orbit around a mesh, whose whole bounding sphere every view shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orbit {
+    /// How each view projects.
+    pub framing: Framing,
+    /// Viewport in pixels.
+    pub size: [u32; 2],
+    /// Number of views.
+    pub views: u32,
+    /// Angle from view to view.
+    pub step_rad: f64,
+}
+
+impl Orbit {
+    /// `views` views spread over a whole turn: for accuracy, where views should differ.
+    pub fn turn(framing: Framing, size: [u32; 2], views: u32) -> Self {
+        Self { framing, size, views, step_rad: TAU / f64::from(views.max(1)) }
+    }
+
+    /// `frames` views a degree apart: for timing, where frames should follow each other as in an animation.
+    pub fn animation(framing: Framing, size: [u32; 2], frames: u32) -> Self {
+        Self { framing, size, views: frames, step_rad: FRAME_STEP_RAD }
+    }
+
+    /// The cameras in order. O(views).
+    ///
+    /// # Errors
+    /// [`ViewError`] where field of view or viewport do not make a camera.
+    pub fn cameras(&self, bounds: &Bounds) -> Result<Vec<Camera>, ViewError> {
+        (0..self.views)
+            .map(|view| Camera::framing(bounds, self.direction(view), Vec3::Y, self.framing, self.size))
+            .collect()
+    }
+
+    /// From the mesh towards the viewer.
+    fn direction(&self, view: u32) -> DVec3 {
+        let azimuth = FIRST_AZIMUTH_RAD + self.step_rad * f64::from(view);
+        let elevation = ELEVATION_RAD + SWING_RAD * (azimuth + 1.0).sin();
+        DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOUNDS: Bounds = Bounds { min: DVec3::NEG_ONE, max: DVec3::ONE, center: DVec3::ZERO, radius: 1.8 };
+
+    #[test]
+    fn no_view_looks_along_an_axis_or_a_diagonal() {
+        for views in [1, 2, 4, 6, 8, 24] {
+            for framing in [Framing::Perspective { fov_y_rad: 0.8 }, Framing::Orthographic] {
+                let cameras = Orbit::turn(framing, [64, 64], views).cameras(&BOUNDS).unwrap();
+                assert_eq!(cameras.len(), views as usize);
+                for camera in cameras {
+                    let [x, y, z] = camera.eye().as_dvec3().normalize().abs().to_array();
+                    for (one, other) in [(x, y), (y, z), (z, x)] {
+                        assert!((one - other).abs() > 1e-3, "{camera:?}");
+                    }
+                    assert!(x.min(y).min(z) > 1e-3, "{camera:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn frames_of_an_animation_are_a_degree_apart() {
+        let cameras = Orbit::animation(Framing::Orthographic, [64, 64], 30).cameras(&BOUNDS).unwrap();
+        for pair in cameras.windows(2) {
+            let angle = pair[0].eye().as_dvec3().angle_between(pair[1].eye().as_dvec3()).to_degrees();
+            assert!((0.8..1.1).contains(&angle), "{angle}");
+        }
+    }
+
+    #[test]
+    fn impossible_views_are_refused() {
+        let orbit = Orbit::turn(Framing::Perspective { fov_y_rad: 4.0 }, [64, 64], 2);
+        assert_eq!(orbit.cameras(&BOUNDS), Err(ViewError::Projection));
+    }
+}

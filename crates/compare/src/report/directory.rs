@@ -1,0 +1,246 @@
+//! A directory that appears as a whole, and replaces only what an earlier run has written.
+
+use super::ReportError;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Name of the file that marks a directory as a report and lists what the report wrote.
+pub const MARKER: &str = "silhouettes-report.json";
+
+/// Contents of [`MARKER`].
+#[derive(Debug, Serialize, Deserialize)]
+struct Manifest {
+    /// Version of the package that wrote it.
+    version: String,
+    /// Every file of the report but the marker: paths relative to the directory, `/` between parts.
+    files: BTreeSet<String>,
+}
+
+/// What is where a report is to be.
+enum Existing {
+    Nothing,
+    EmptyDirectory,
+    Report(Manifest),
+}
+
+/// Whether a report may be written to `directory`: nothing there, an empty directory, or an earlier report without any
+/// file of somebody else's. Ask before a long run; [`write`](super::write()) asks again.
+///
+/// # Errors
+/// [`ReportError`] says what is in the way.
+pub fn check_target(directory: &Path) -> Result<(), ReportError> {
+    examine(directory).map(drop)
+}
+
+fn examine(directory: &Path) -> Result<Existing, ReportError> {
+    if directory.file_name().is_none() {
+        return Err(ReportError::NoName { path: directory.to_owned() });
+    }
+    let metadata = match fs::symlink_metadata(directory) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Existing::Nothing),
+        other => other.map_err(at(directory))?,
+    };
+    let not_ours = || ReportError::NotOurs { path: directory.to_owned() };
+    if !metadata.is_dir() {
+        return Err(not_ours());
+    }
+    if fs::read_dir(directory).map_err(at(directory))?.next().is_none() {
+        return Ok(Existing::EmptyDirectory);
+    }
+    let manifest = fs::read(directory.join(MARKER)).ok().and_then(|text| serde_json::from_slice(&text).ok());
+    let manifest: Manifest = manifest.ok_or_else(not_ours)?;
+    match find_foreign(directory, "", &manifest)? {
+        Some(path) => Err(ReportError::ForeignFile { path }),
+        None => Ok(Existing::Report(manifest)),
+    }
+}
+
+/// A file below `directory` that the manifest does not list.
+fn find_foreign(directory: &Path, prefix: &str, manifest: &Manifest) -> Result<Option<PathBuf>, ReportError> {
+    for entry in fs::read_dir(directory).map_err(at(directory))? {
+        let entry = entry.map_err(at(directory))?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        let kind = entry.file_type().map_err(at(directory))?;
+        let inside = format!("{name}/");
+        let foreign = if kind.is_dir() && manifest.files.iter().any(|file| file.starts_with(&inside)) {
+            find_foreign(&entry.path(), &inside, manifest)?
+        } else {
+            let ours = kind.is_file() && (name == MARKER || manifest.files.contains(&name));
+            (!ours).then(|| entry.path())
+        };
+        if foreign.is_some() {
+            return Ok(foreign);
+        }
+    }
+    Ok(None)
+}
+
+fn at(path: &Path) -> impl Fn(io::Error) -> ReportError {
+    let path = path.to_owned();
+    move |source| ReportError::Io { path: path.clone(), source }
+}
+
+/// A directory under construction beside its final place; removed again unless [`commit`](Self::commit) is called.
+pub(super) struct StagedDirectory {
+    target: PathBuf,
+    staging: PathBuf,
+    files: BTreeSet<String>,
+}
+
+impl StagedDirectory {
+    /// Creates the directory beside `target`, whose parents are created where they are missing.
+    pub fn begin(target: &Path) -> Result<Self, ReportError> {
+        examine(target)?;
+        let staging = beside(target, "partial");
+        if let Some(parent) = target.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+            fs::create_dir_all(parent).map_err(at(parent))?;
+        }
+        fs::create_dir(&staging).map_err(at(&staging))?;
+        Ok(Self { target: target.to_owned(), staging, files: BTreeSet::new() })
+    }
+
+    /// Where to write the file that will be at this path, `/` between parts, in the finished directory.
+    pub fn file(&mut self, name: &str) -> Result<PathBuf, ReportError> {
+        let path = self.staging.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(at(parent))?;
+        }
+        self.files.insert(name.to_owned());
+        Ok(path)
+    }
+
+    /// Puts the directory in its place. An earlier report is moved aside first and removed afterwards, file by file as its
+    /// own manifest lists them.
+    pub fn commit(mut self) -> Result<(), ReportError> {
+        let manifest =
+            Manifest { version: env!("CARGO_PKG_VERSION").to_owned(), files: std::mem::take(&mut self.files) };
+        let marker = self.staging.join(MARKER);
+        let text = serde_json::to_vec_pretty(&manifest).map_err(|error| at(&marker)(error.into()))?;
+        fs::write(&marker, text).map_err(at(&marker))?;
+
+        let put_in_place = || fs::rename(&self.staging, &self.target).map_err(at(&self.target));
+        match examine(&self.target)? {
+            Existing::Nothing => put_in_place(),
+            Existing::EmptyDirectory => {
+                fs::remove_dir(&self.target).map_err(at(&self.target))?;
+                put_in_place()
+            }
+            Existing::Report(old) => {
+                let aside = beside(&self.target, "old");
+                fs::rename(&self.target, &aside).map_err(at(&self.target))?;
+                if let Err(error) = put_in_place() {
+                    fs::rename(&aside, &self.target).map_err(at(&aside))?;
+                    return Err(error);
+                }
+                remove_report(&aside, &old)
+            }
+        }
+    }
+}
+
+impl Drop for StagedDirectory {
+    /// Removes what was staged, unless it is in its place by now. It is this run's own directory: its name holds the id of
+    /// the process, and [`StagedDirectory::begin`] created it.
+    fn drop(&mut self) {
+        if self.staging.exists() {
+            // Nothing more can be done in a destructor; what remains is named `.partial`.
+            let _ = fs::remove_dir_all(&self.staging);
+        }
+    }
+}
+
+/// `.NAME.PROCESS.what` beside a path.
+fn beside(path: &Path, what: &str) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{name}.{}.{what}", std::process::id()))
+}
+
+/// Removes the files that a manifest lists, then the directories that are empty.
+fn remove_report(directory: &Path, manifest: &Manifest) -> Result<(), ReportError> {
+    let mut folders = BTreeSet::new();
+    for name in manifest.files.iter().map(String::as_str).chain([MARKER]) {
+        let path = directory.join(name);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(at(&path)(error)),
+            _ => folders.extend(Path::new(name).parent().map(|parent| directory.join(parent))),
+        }
+    }
+    // A folder sorts before what it holds.
+    for folder in folders.iter().rev() {
+        fs::remove_dir(folder).map_err(at(folder))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn write_report(target: &Path, text: &str) -> Result<(), ReportError> {
+        let mut staged = StagedDirectory::begin(target)?;
+        for name in ["page.txt", "images/one.txt"] {
+            fs::write(staged.file(name)?, text).unwrap();
+        }
+        staged.commit()
+    }
+
+    #[test]
+    fn a_report_appears_and_is_replaced() {
+        let dir = tempfile::tempdir().unwrap();
+        let target = dir.path().join("deep/report");
+        for text in ["first", "second"] {
+            check_target(&target).unwrap();
+            write_report(&target, text).unwrap();
+            assert_eq!(fs::read_to_string(target.join("images/one.txt")).unwrap(), text);
+        }
+        assert_eq!(fs::read_dir(dir.path().join("deep")).unwrap().count(), 1, "nothing is left beside it");
+        let empty = dir.path().join("empty");
+        fs::create_dir(&empty).unwrap();
+        write_report(&empty, "third").unwrap();
+    }
+
+    #[test]
+    fn nothing_of_a_user_is_touched() {
+        let dir = tempfile::tempdir().unwrap();
+        let foreign = dir.path().join("photos");
+        fs::create_dir(&foreign).unwrap();
+        fs::write(foreign.join("a.jpg"), "mine").unwrap();
+        assert!(matches!(write_report(&foreign, "x"), Err(ReportError::NotOurs { .. })));
+        let file = foreign.join("a.jpg");
+        assert!(matches!(check_target(&file), Err(ReportError::NotOurs { .. })));
+
+        let report = dir.path().join("report");
+        write_report(&report, "first").unwrap();
+        for note in ["note.txt", "images/note.txt", "other/note.txt"] {
+            let note = report.join(note);
+            fs::create_dir_all(note.parent().unwrap()).unwrap();
+            fs::write(&note, "mine").unwrap();
+            assert!(matches!(write_report(&report, "second"), Err(ReportError::ForeignFile { .. })), "{note:?}");
+            assert_eq!(fs::read_to_string(&note).unwrap(), "mine");
+            assert_eq!(fs::read_to_string(report.join("page.txt")).unwrap(), "first");
+            fs::remove_file(&note).unwrap();
+            let _ = fs::remove_dir(note.parent().unwrap());
+        }
+        write_report(&report, "second").unwrap();
+    }
+
+    #[test]
+    fn a_failed_run_leaves_nothing_half_written() {
+        let dir = tempfile::tempdir().unwrap();
+        let target = dir.path().join("report");
+        let mut staged = StagedDirectory::begin(&target).unwrap();
+        fs::write(staged.file("page.txt").unwrap(), "half").unwrap();
+        drop(staged);
+        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn paths_without_a_name_are_refused() {
+        for path in ["/", "..", ""] {
+            assert!(matches!(check_target(Path::new(path)), Err(ReportError::NoName { .. })), "{path}");
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! The report: a directory that opens offline and that other programs can read.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `index.html` | charts, pictures and tables for people; asks nothing of the network |
+//! | `results.jsonl` | one full [`Record`] a line |
+//! | `results.csv` | the same, flat |
+//! | `images/*.png` | what each method drew, the truth, the difference |
+//! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
+
+mod chart;
+mod directory;
+mod page;
+mod summary;
+
+pub use directory::{MARKER, check_target};
+pub use summary::{CellSummary, MeshSummary, summarise};
+
+use crate::record::Record;
+use crate::runner::{Comparison, PictureSet};
+use directory::StagedDirectory;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// Why a report could not be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// The path does not name a directory that can be created: `/`, `.` or `..`.
+    #[error("{}: give the report a directory of its own, for example report", path.display())]
+    NoName {
+        /// The path.
+        path: PathBuf,
+    },
+    /// Something exists there that is no report.
+    #[error("{}: exists and is no report of this program; choose another directory or move it away", path.display())]
+    NotOurs {
+        /// The path.
+        path: PathBuf,
+    },
+    /// A report exists there, with a file in it that no run has written.
+    #[error("{}: lies in the report that would be replaced; move it away", path.display())]
+    ForeignFile {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A picture could not be written.
+    #[error(transparent)]
+    Picture(#[from] silhouette_render::ImageError),
+    /// The table could not be written.
+    #[error("{}: {source}", path.display())]
+    Table {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: csv::Error,
+    },
+    /// The page could not be made.
+    #[error("index.html: {0}")]
+    Page(#[from] minijinja::Error),
+}
+
+/// Writes the report of a comparison and yields the path of its page. The directory appears as a whole or not at all; one
+/// that holds an earlier report is replaced.
+///
+/// # Errors
+/// [`ReportError`]; whatever was at `directory` before is still there.
+pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, ReportError> {
+    let mut staged = StagedDirectory::begin(directory)?;
+    write_jsonl(&comparison.records, &staged.file("results.jsonl")?)?;
+    write_csv(&comparison.records, &staged.file("results.csv")?)?;
+    for (index, set) in comparison.pictures.iter().enumerate() {
+        for (name, picture) in picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
+            picture.save_png(&staged.file(name)?)?;
+        }
+    }
+    let page = page::render(comparison)?;
+    let path = staged.file("index.html")?;
+    std::fs::write(&path, page).map_err(|source| ReportError::Io { path, source })?;
+    staged.commit()?;
+    Ok(directory.join("index.html"))
+}
+
+/// Paths of a set's pictures inside of the report. They hold no text of a user's.
+fn picture_names(index: usize, set: &PictureSet) -> [String; 3] {
+    ["drawn", "truth", "difference"].map(|what| format!("images/{index:03}-{}-{what}.png", set.method))
+}
+
+fn write_jsonl(records: &[Record], path: &Path) -> Result<(), ReportError> {
+    let failed = |source| ReportError::Io { path: path.to_owned(), source };
+    let mut out = BufWriter::new(std::fs::File::create(path).map_err(failed)?);
+    for record in records {
+        serde_json::to_writer(&mut out, record).map_err(|error| failed(error.into()))?;
+        out.write_all(b"\n").map_err(failed)?;
+    }
+    out.flush().map_err(failed)
+}
+
+fn write_csv(records: &[Record], path: &Path) -> Result<(), ReportError> {
+    let failed = |source| ReportError::Table { path: path.to_owned(), source };
+    let mut out = csv::Writer::from_path(path).map_err(failed)?;
+    out.write_record(Record::columns()).map_err(failed)?;
+    for record in records {
+        out.write_record(record.row()).map_err(failed)?;
+    }
+    out.flush().map_err(|error| failed(error.into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{Profile, tests as sample};
+    use silhouette_render::Image;
+
+    /// A comparison on a mesh whose name would break out of a page, a script or a table.
+    pub(super) fn comparison() -> Comparison {
+        let mesh = "</script><img src=x onerror=alert(1)>\",'\n{{ 7*7 }}";
+        let picture = Image { width: 2, height: 2, rgba: vec![255; 16] };
+        let set = |method: &str| PictureSet {
+            mesh: mesh.to_owned(),
+            method: method.to_owned(),
+            options: String::new(),
+            view: 0,
+            drawn: picture.clone(),
+            truth: picture.clone(),
+            difference: picture.clone(),
+        };
+        Comparison {
+            profile: Profile::Quick,
+            run: sample::run(),
+            methods: crate::registry::all().iter().collect(),
+            records: vec![
+                sample::record(mesh, "brute-force", 4.0, 0.25),
+                sample::record(mesh, "image-precision", 2.0, 0.5),
+            ],
+            pictures: vec![set("brute-force"), set("image-precision")],
+        }
+    }
+
+    #[test]
+    fn files_hold_every_record() {
+        let dir = tempfile::tempdir().unwrap();
+        let comparison = comparison();
+        let page = write(&comparison, &dir.path().join("report")).unwrap();
+        let folder = page.parent().unwrap();
+        let lines = std::fs::read_to_string(folder.join("results.jsonl")).unwrap();
+        let records: Vec<Record> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        assert_eq!(records, comparison.records);
+        let mut table = csv::Reader::from_path(folder.join("results.csv")).unwrap();
+        let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+        assert_eq!((rows.len(), &rows[0][0]), (2, comparison.records[0].mesh.name.as_str()));
+        assert!(folder.join("images/001-image-precision-difference.png").is_file());
+    }
+
+    #[test]
+    fn a_second_report_replaces_the_first_and_leaves_nothing_behind() {
+        let dir = tempfile::tempdir().unwrap();
+        let target = dir.path().join("report");
+        write(&comparison(), &target).unwrap();
+        let mut smaller = comparison();
+        smaller.records.truncate(1);
+        smaller.pictures.truncate(1);
+        write(&smaller, &target).unwrap();
+        assert!(!target.join("images/001-image-precision-drawn.png").exists());
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+}

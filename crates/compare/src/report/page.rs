@@ -1,0 +1,194 @@
+//! The page: template and chart script embedded, everything that a user named escaped.
+
+use super::chart::{self, COLORS};
+use super::picture_names;
+use super::summary::{CellSummary, MeshSummary, summarise};
+use crate::metrics::{Better, METRICS, MetricSpec};
+use crate::runner::{Comparison, PictureSet};
+use minijinja::{Environment, Value, context};
+
+/// Name of the template; its ending makes the engine escape values for HTML.
+const TEMPLATE: &str = "index.html";
+
+/// The page of a comparison. It asks nothing of the network: its own policy forbids it.
+pub(super) fn render(comparison: &Comparison) -> Result<String, minijinja::Error> {
+    let mut environment = Environment::new();
+    environment.add_template(TEMPLATE, include_str!("template.html"))?;
+    let summaries = summarise(&comparison.records);
+    let meshes: Vec<Value> =
+        summaries.iter().enumerate().map(|(index, summary)| mesh_section(comparison, index, summary)).collect();
+    environment.get_template(TEMPLATE)?.render(context! {
+        profile => comparison.profile.name(),
+        size => comparison.profile.size(),
+        views => comparison.profile.views(),
+        frames => comparison.profile.frames(),
+        warm_up => comparison.profile.warm_up(),
+        facts => comparison.run.facts(),
+        is_debug => comparison.run.build == "debug",
+        is_software => comparison.run.adapter.software,
+        methods => methods(comparison),
+        meshes => meshes,
+        metrics => METRICS.iter().map(metric_row).collect::<Vec<_>>(),
+        chart_script => Value::from_safe_string(chart::script()),
+    })
+}
+
+fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary) -> Value {
+    let color_of = |method: &str| {
+        let position = comparison.methods.iter().position(|entry| entry.info.name == method);
+        COLORS[position.unwrap_or(0) % COLORS.len()]
+    };
+    let id = format!("chart-{index}");
+    let rows: Vec<Value> = summary.cells.iter().map(|cell| cell_row(summary, cell, color_of(&cell.method))).collect();
+    let sets = comparison.pictures.iter().enumerate().filter(|(_, set)| set.mesh == summary.mesh.name);
+    context! {
+        name => &summary.mesh.name,
+        vertices => grouped(summary.mesh.vertices),
+        edges => grouped(summary.mesh.edges),
+        faces => grouped(summary.mesh.faces),
+        visible_length => format!("{:.0}", summary.visible_length_px),
+        chart => Value::from_safe_string(chart::chart(&id, summary, color_of)),
+        rows => rows,
+        pictures => sets.map(|(at, set)| picture_row(at, set)).collect::<Vec<_>>(),
+    }
+}
+
+fn cell_row(summary: &MeshSummary, cell: &CellSummary, color: &str) -> Value {
+    let best = |metric: &MetricSpec| {
+        let values = summary.cells.iter().map(|other| (metric.value)(&other.metrics));
+        metric.better == Better::Lower && values.fold(f64::INFINITY, f64::min) >= (metric.value)(&cell.metrics)
+    };
+    let metrics = METRICS.iter().map(|metric| {
+        let value = (metric.value)(&cell.metrics);
+        context! { text => metric_text(metric, value), best => best(metric) && summary.cells.len() > 1 }
+    });
+    let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), milliseconds);
+    let wrong = cell.edges.filter(|edges| edges.precision < 1.0 || edges.recall < 1.0);
+    context! {
+        method => &cell.method,
+        options => &cell.options,
+        color => color,
+        pen => format!("{} px, {}", cell.pen.width_px, cell.pen.placement),
+        metrics => metrics.collect::<Vec<_>>(),
+        edges => match (cell.edges, wrong) {
+            (None, _) => "draws only".to_owned(),
+            (Some(_), None) => "all, exact".to_owned(),
+            (Some(_), Some(edges)) => {
+                format!("precision {:.5}, recall {:.5} at worst", edges.precision, edges.recall)
+            }
+        },
+        edges_wrong => wrong.is_some(),
+        prepare => milliseconds(cell.prepare.prepare_ms),
+        renderer => milliseconds(cell.prepare.renderer_ms),
+        bytes => megabytes(cell.prepare.bytes),
+        extract => optional(cell.frame.extract_ms.map(|spread| spread.median)),
+        gpu => optional(cell.frame.gpu_ms.map(|spread| spread.median)),
+        median => milliseconds(cell.frame.frame_ms.median),
+        p95 => milliseconds(cell.frame.frame_ms.p95),
+        max => milliseconds(cell.frame.frame_ms.max),
+        ratio => cell.frame_ratio.map_or_else(|| "–".to_owned(), |ratio| format!("{ratio:.2}")),
+    }
+}
+
+fn picture_row(index: usize, set: &PictureSet) -> Value {
+    let [drawn, truth, difference] = picture_names(index, set).map(Value::from_safe_string);
+    context! {
+        method => &set.method, options => &set.options, view => set.view,
+        width => set.drawn.width, height => set.drawn.height,
+        drawn => drawn, truth => truth, difference => difference,
+    }
+}
+
+fn methods(comparison: &Comparison) -> Vec<Value> {
+    let mut rows: Vec<Value> = Vec::new();
+    let mut seen = Vec::new();
+    for entry in &comparison.methods {
+        let info = entry.info;
+        if seen.contains(&info.name) {
+            continue;
+        }
+        seen.push(info.name);
+        rows.push(context! {
+            name => info.name,
+            summary => info.summary,
+            source => format!("{}. {}. {}, {}.", info.source.authors, info.source.title, info.source.venue, info.source.year),
+            needs => if info.needs.is_empty() { "positions and triangles".to_owned() } else { info.needs.join(", ") },
+            options => info.options.iter().map(|option| option.name).collect::<Vec<_>>().join(", "),
+        });
+    }
+    rows
+}
+
+fn metric_row(metric: &MetricSpec) -> Value {
+    let MetricSpec { name, title, unit, best, worst, summary, .. } = *metric;
+    context! { name => name, title => title, unit => unit, best => best, worst => worst, summary => summary }
+}
+
+fn metric_text(metric: &MetricSpec, value: f64) -> String {
+    if metric.unit == "share" { format!("{:.2} %", value * 100.0) } else { format!("{value:.2}") }
+}
+
+fn milliseconds(value: f64) -> String {
+    if value < 10.0 { format!("{value:.2}") } else { format!("{value:.1}") }
+}
+
+fn megabytes(bytes: u64) -> String {
+    format!("{:.2}", bytes as f64 / 1e6)
+}
+
+/// A count with thin spaces between groups of three digits.
+fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let head = digits.len() % 3;
+    let groups = digits.as_bytes()[head..].chunks(3).map(|group| String::from_utf8_lossy(group).into_owned());
+    let first = (head > 0).then(|| digits[..head].to_owned());
+    first.into_iter().chain(groups).collect::<Vec<_>>().join("\u{202f}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::comparison;
+    use super::*;
+
+    #[test]
+    fn what_a_user_named_is_escaped_everywhere() {
+        let comparison = comparison();
+        let page = render(&comparison).unwrap();
+        let name = &comparison.records[0].mesh.name;
+        assert!(!page.contains(name.as_str()) && !page.contains("<img src=x"), "the name must not break out");
+        assert!(page.contains("&lt;img src=x onerror=alert(1)&gt;"));
+        assert!(page.contains("{{ 7*7 }}"), "names are not templates");
+        assert!(page.contains("a &lt;processor&gt;"));
+    }
+
+    #[test]
+    fn the_page_asks_nothing_of_the_network() {
+        let page = render(&comparison()).unwrap();
+        assert!(page.contains("default-src 'none'"));
+        let own = page.replace(&chart::script(), "");
+        for needle in ["src=\"http", "href=\"http", "url(", "@import", "fetch("] {
+            assert!(!own.contains(needle), "{needle}");
+        }
+    }
+
+    #[test]
+    fn the_page_shows_methods_metrics_and_pictures() {
+        let comparison = comparison();
+        let page = render(&comparison).unwrap();
+        for text in ["images/000-brute-force-drawn.png", "images/001-image-precision-difference.png", "id=\"chart-0\""]
+        {
+            assert!(page.contains(text), "{text}");
+        }
+        for metric in &METRICS {
+            assert!(page.contains(metric.title), "{}", metric.name);
+        }
+        for entry in &comparison.methods {
+            assert!(page.contains(entry.info.source.title), "{}", entry.info.name);
+        }
+    }
+
+    #[test]
+    fn counts_are_grouped() {
+        assert_eq!([7, 123, 1234, 1_234_567].map(grouped), ["7", "123", "1\u{202f}234", "1\u{202f}234\u{202f}567"]);
+    }
+}
