@@ -60,7 +60,8 @@ impl MeshBuffers {
             (positions, upload(device, queue, "triangles", wgpu::BufferUsages::INDEX, indices))
         });
         let bytes = if buffers.is_some() { position_bytes + index_bytes } else { 0 };
-        let indices = u32::try_from(mesh.face_count() * 3).expect("a mesh has fewer than 2^32 half-edges");
+        // A mesh has fewer than 2^32 half-edges, by validation.
+        let indices = mesh.face_count() as u32 * 3;
         Ok(Self { buffers, indices, bytes, bounds, frame })
     }
 

@@ -122,6 +122,18 @@ fn every_depth_format_and_direction_draws_the_same_lines() {
 }
 
 #[test]
+fn a_plate_bleeds_through_as_soon_as_the_pull_exceeds_its_thickness() {
+    let Some(gpu) = gpu_or_skip("a_plate_bleeds_through_as_soon_as_the_pull_exceeds_its_thickness") else { return };
+    let plate = Cuboid { size: [2.0, 2.0, 0.02] }.mesh().unwrap();
+    let projection = Projection::Perspective { fov_y_rad: 0.3 };
+    let camera = Camera::new(Vec3::Z * 4.0, Vec3::ZERO, Vec3::Y, projection, [128; 2]).unwrap();
+    // Front at 3.99, back at 4.01: the critical scale is their ratio, 0.995.
+    let share = |scale| ink(&draw(gpu, &plate, &camera, &[scale], DEFAULT_FORMATS)) as f64 / (128.0 * 128.0);
+    assert!(share("scale=0.996") < 0.01);
+    assert!(share("scale=0.994") > 0.99);
+}
+
+#[test]
 fn an_eye_inside_sees_no_black_unless_asked_to() {
     let Some(gpu) = gpu_or_skip("an_eye_inside_sees_no_black_unless_asked_to") else { return };
     let cube = Cuboid::default().mesh().unwrap();

@@ -137,8 +137,11 @@ impl Gpu {
         match catch_unwind(AssertUnwindSafe(|| self.device.poll(wait))) {
             Ok(Ok(_)) => self.check(),
             Ok(Err(wgpu::PollError::Timeout)) => Err(GpuError::TimedOut { seconds: TIMEOUT.as_secs() }),
-            Ok(Err(error)) => Err(GpuError::Internal(error.to_string())),
-            Err(_) => Err(self.check().err().unwrap_or_else(|| GpuError::Lost("while waiting for it".to_owned()))),
+            // A lost device drops what is submitted to it, so that there is nothing to wait for.
+            Ok(Err(wgpu::PollError::WrongSubmissionIndex(..))) | Err(_) => {
+                lock(&self.failure.lost).get_or_insert_with(|| "it dropped a submission".to_owned());
+                self.check()
+            }
         }
     }
 

@@ -45,6 +45,17 @@ impl Image {
         std::array::from_fn(|channel| self.rgba[first + channel])
     }
 
+    /// The picture as the bytes of a PNG file.
+    ///
+    /// # Errors
+    /// The encoder's, for pictures larger than the format can hold.
+    pub fn to_png(&self) -> Result<Vec<u8>, image::ImageError> {
+        let mut png = std::io::Cursor::new(Vec::new());
+        let color = image::ExtendedColorType::Rgba8;
+        image::write_buffer_with_format(&mut png, &self.rgba, self.width, self.height, color, image::ImageFormat::Png)?;
+        Ok(png.into_inner())
+    }
+
     /// Writes a PNG file: beside its name first, renamed once it is whole.
     ///
     /// # Errors
@@ -53,9 +64,8 @@ impl Image {
         let mut beside = path.as_os_str().to_owned();
         beside.push(format!(".{}.part", std::process::id()));
         let beside = PathBuf::from(beside);
-        let color = image::ExtendedColorType::Rgba8;
-        let png = image::ImageFormat::Png;
-        image::save_buffer_with_format(&beside, &self.rgba, self.width, self.height, color, png)
+        self.to_png()
+            .and_then(|png| Ok(std::fs::write(&beside, png)?))
             .and_then(|()| Ok(std::fs::rename(&beside, path)?))
             .map_err(|source| {
                 // The part may not exist, and its removal cannot be mended here.

@@ -120,7 +120,7 @@ impl Target {
 /// Bytes of all textures of a target; formats of unknown size count as 16 bytes.
 fn bytes([width, height]: [u32; 2], formats: &TargetFormats) -> u64 {
     let pixels = u64::from(width) * u64::from(height);
-    let color = u64::from(formats.color.target_pixel_byte_cost().unwrap_or(16));
+    let color = u64::from(formats.color.block_copy_size(None).unwrap_or(16));
     let samples = u64::from(formats.samples);
     let resolved = if samples > 1 { color } else { 0 };
     // Depth formats of 16 and 24 bits are stored in 2 and 4 bytes.

@@ -12,8 +12,9 @@ pub(crate) struct JoinInstance {
     pub after: [f32; 3],
 }
 
-/// Turns below this angle in radians open a gap of less than a hundredth of the pen's width: no wedge.
-const MIN_TURN_RAD: f64 = 0.01;
+/// Turns below this angle in radians get no wedge. The gaps along a curve add up with its total turn, however finely it
+/// is divided, so this is small: a circle of 60 000 steps would still be joined.
+const MIN_TURN_RAD: f64 = 1e-4;
 
 impl JoinInstance {
     pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {

@@ -154,13 +154,13 @@ impl Strokes {
         self.clip_points.extend(points.iter().map(|&point| projector.to_clip(point)));
         let steps = if closed { count } else { count - 1 };
         let ends = |step: usize, clip: &[DVec4]| (clip[step % count], clip[(step + 1) % count]);
-        let whole = |step: usize, clip: &[DVec4]| {
+        let begins_outside = |step: usize, clip: &[DVec4]| {
             let (a, b) = ends(step, clip);
-            matches!(projector.clip(a, b), Some((_, begin, end)) if begin <= 0.0 && end >= 1.0)
+            projector.clip(a, b).is_none_or(|(_, begin, _)| begin > 0.0)
         };
 
-        // Start a closed line behind a gap if it has one, so that no run spans the first point unjoined.
-        let gap = if closed { (0..steps).find(|&step| !whole(step, &self.clip_points)) } else { None };
+        // Start a closed line where it comes back into view, if it leaves it, so that no run is cut at the first point.
+        let gap = if closed { (0..steps).find(|&step| begins_outside(step, &self.clip_points)) } else { None };
         let first = gap.unwrap_or(0);
         let is_ring = closed && gap.is_none();
 
@@ -291,9 +291,9 @@ mod tests {
     #[test]
     fn a_ring_with_a_gap_keeps_its_join_at_the_first_point() {
         let behind = DVec3::new(0.0, 0.5, 50.0);
-        let ring = [DVec3::ZERO, DVec3::X, behind, DVec3::NEG_X];
+        let ring = [DVec3::Y * 0.5, DVec3::X, behind, DVec3::NEG_X];
         let strokes = strokes(&[(&ring, true)], Cap::Round);
-        // X to the cut, the cut to -X, -X to 0, 0 to X: corners at -X, at 0 and at X.
+        // From behind to -X, to the first point, to X, and back behind: three corners in sight.
         assert_eq!((strokes.segments.len(), strokes.joins.len()), (4, 3));
     }
 

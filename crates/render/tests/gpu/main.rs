@@ -1,0 +1,8 @@
+//! What this crate draws and reads back, on whatever adapter there is.
+
+mod errors;
+mod hidden_lines;
+mod reference_images;
+mod scenes;
+mod strokes;
+mod targets;
