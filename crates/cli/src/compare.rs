@@ -23,14 +23,15 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     if !arguments.methods.is_empty() {
         config.methods = arguments.methods.iter().map(|name| choice(name)).collect::<Result<_, _>>()?;
     }
-    let destination = report::Destination::open(&arguments.output).map_err(Failure::input)?;
+    report::check_target(&arguments.output).map_err(Failure::input)?;
     let progress = TerminalProgress::new();
     let defaults = DEFAULT_MESHES.map(str::to_owned);
     let named = if arguments.meshes.is_empty() { &defaults[..] } else { &arguments.meshes[..] };
     let meshes = named.iter().map(|mesh| input::mesh(mesh, &progress)).collect::<Result<Vec<_>, _>>()?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;
     let comparison = run_comparison(&config, &meshes, &gpu, &progress).map_err(failure)?;
-    report::write(&comparison, destination).map_err(Failure::run)
+    report::write(&comparison, &arguments.output).map_err(Failure::run)?;
+    Ok(())
 }
 
 fn choice(name: &str) -> Result<MethodChoice, Failure> {

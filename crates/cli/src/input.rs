@@ -17,7 +17,7 @@ pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failur
         return Ok(named(argument, mesh));
     }
     let path = Path::new(argument);
-    let mesh = load::load(path, progress)?;
+    let mesh = load::load_with_progress(path, progress)?;
     let name = path.file_name().map_or_else(|| argument.to_owned(), |name| name.to_string_lossy().into_owned());
     Ok(named(&name, mesh))
 }
