@@ -8,6 +8,7 @@
 //! | capability | trait | yields |
 //! |---|---|---|
 //! | extracts edges | [`ExtractsEdges`] | sorted edge ids |
+//! | extracts edges of a moving mesh | [`ExtractsMovingEdges`] | the same, for this frame's positions |
 //! | extracts loops | [`ExtractsLoops`] | closed, oriented loops of half-edges |
 //! | draws lines | `silhouette_gpu::DrawsLines` | ink in somebody's render pass |
 
@@ -15,11 +16,13 @@ mod options;
 
 pub use options::{OptionError, OptionKind, OptionSpec, OptionValues};
 
+use crate::id::VertexId;
 use crate::loops::SilhouetteLoops;
 use crate::prepared::PreparedMesh;
 use crate::progress::{Cancelled, Progress};
 use crate::silhouette::SilhouetteEdges;
 use crate::view::Viewpoint;
+use glam::Vec3;
 use std::sync::Arc;
 
 /// Where a method was published.
@@ -90,6 +93,8 @@ pub struct ExtractionStats {
     pub faces_tested: u64,
     /// Edge tests: looks at an edge to see whether its faces differ.
     pub edges_tested: u64,
+    /// Nodes of a hierarchy whose bounds were evaluated; 0 for a method without one.
+    pub nodes_visited: u64,
     /// Faces whose sign the floating-point filter could not certify, decided by exact arithmetic.
     pub exact_fallbacks: u64,
 }
@@ -99,6 +104,36 @@ pub trait ExtractsEdges: Send {
     /// Replaces `out` by the silhouette edges seen from `viewpoint`, sorted by id. Scratch memory is kept from call to
     /// call; once `out` has grown, a call allocates nothing.
     fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats;
+}
+
+/// Finds the silhouette edges of a mesh whose vertices move while its triangles stay: skinning, morphing, simulation.
+pub trait ExtractsMovingEdges: ExtractsEdges {
+    /// Makes `positions` (one a vertex, in object space) the ones that the next extractions see. The topology is kept;
+    /// the mesh that the method was prepared for is not changed. O(V + F), allocates nothing from the second call on.
+    ///
+    /// # Errors
+    /// [`PositionsError`]; the positions of before then stay in force.
+    fn update_positions(&mut self, positions: &[Vec3]) -> Result<(), PositionsError>;
+}
+
+/// Why positions do not fit a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PositionsError {
+    /// Not one position a vertex.
+    #[error("{given} positions for a mesh of {vertices} vertices")]
+    Count {
+        /// How many were given.
+        given: usize,
+        /// How many the mesh has.
+        vertices: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("the position of vertex {vertex} is not finite")]
+    NotFinite {
+        /// The first such vertex.
+        vertex: VertexId,
+    },
 }
 
 /// Finds the silhouette of a view as closed loops.

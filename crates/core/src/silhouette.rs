@@ -40,6 +40,16 @@ impl SilhouetteEdges {
         self.0.dedup();
     }
 
+    /// Replaces the edges by ones that ascend without duplicates. O(S), no allocation once grown.
+    ///
+    /// # Panics
+    /// In builds with debug assertions, if they do not ascend.
+    pub fn refill_ascending(&mut self, edges: impl IntoIterator<Item = EdgeId>) {
+        self.0.clear();
+        self.0.extend(edges);
+        debug_assert!(self.0.is_sorted_by(|a, b| a < b), "edges must ascend");
+    }
+
     /// The edges, ascending.
     pub fn as_slice(&self) -> &[EdgeId] {
         &self.0

@@ -104,7 +104,12 @@ impl ExtractsEdges for BruteForce {
         let exact_fallbacks = self.classify(viewpoint);
         let edges_tested = self.test_edges();
         out.refill(self.found.iter().copied());
-        ExtractionStats { faces_tested: self.mesh.face_count() as u64, edges_tested, exact_fallbacks }
+        ExtractionStats {
+            faces_tested: self.mesh.face_count() as u64,
+            edges_tested,
+            exact_fallbacks,
+            ..ExtractionStats::default()
+        }
     }
 }
 

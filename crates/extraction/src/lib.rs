@@ -3,7 +3,14 @@
 //! | method | cost a view | choose it when |
 //! |---|---|---|
 //! | [`BruteForce`] | O(F + S log S) | you want the plainest code that is right: it is the oracle of all other methods |
+//! | [`BruteForceSimd`] | O(F + S), 10 bytes a face | the mesh moves, or is small, or a view is seen once |
 
 mod brute_force;
+mod brute_force_simd;
+mod edge_marks;
+mod patches;
+mod sweep;
 
 pub use brute_force::BruteForce;
+pub use brute_force_simd::BruteForceSimd;
+pub use patches::FacePatches;

@@ -1,0 +1,116 @@
+use crate::scenes::{adversarial, prepare, soup, transformed, viewpoint, zoo};
+use proptest::prelude::*;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::{ExtractsEdges, Method, PreparedMesh, SilhouetteEdges, TriangleMesh, Viewpoint};
+use silhouette_extraction::{BruteForce, BruteForceSimd};
+use std::sync::Arc;
+
+/// Every exact method of the crate, and all views through the same instances, so that nothing may linger.
+fn check(name: &str, mesh: TriangleMesh, views: &[Viewpoint]) {
+    let mesh = Arc::new(PreparedMesh::new(mesh));
+    let mut oracle: BruteForce = prepare(&mesh);
+    let mut simd: BruteForceSimd = prepare(&mesh);
+    let methods: [(&str, &mut dyn ExtractsEdges); 1] = [(BruteForceSimd::INFO.name, &mut simd)];
+    let (mut expected, mut found) = (SilhouetteEdges::default(), SilhouetteEdges::default());
+    for (method, extractor) in methods {
+        for view in views {
+            oracle.extract_edges(view, &mut expected);
+            extractor.extract_edges(view, &mut found);
+            assert_eq!(found, expected, "{method} on {name} from {view:?}");
+        }
+    }
+}
+
+#[test]
+fn adversarial_viewpoints_at_every_scale_and_offset() {
+    for (name, mesh) in zoo() {
+        for scale in [1e-9, 1.0, 1e9] {
+            let moved = transformed(&mesh, scale, DVec3::ZERO);
+            let views = adversarial(&moved, 12);
+            check(&format!("{name} x {scale:e}"), moved, &views);
+        }
+        for offset in [1.0, 1e3, 1e6] {
+            let moved = transformed(&mesh, 1.0, DVec3::new(offset, -2.0 * offset, offset * 0.5));
+            let views = adversarial(&moved, 12);
+            check(&format!("{name} + {offset:e}"), moved, &views);
+        }
+    }
+}
+
+#[test]
+fn views_that_are_no_views_see_nothing_of_a_closed_mesh() {
+    let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY].map(Vec3::splat);
+    let mut views: Vec<_> = bad.into_iter().map(|eye| Viewpoint::Perspective { eye }).collect();
+    views.push(Viewpoint::Perspective { eye: Vec3::new(f32::INFINITY, 0.0, 1.0) });
+    views.push(Viewpoint::Perspective { eye: Vec3::splat(f32::MAX) });
+    views.push(Viewpoint::Orthographic { toward_viewer: Vec3::ZERO });
+    views.push(Viewpoint::Orthographic { toward_viewer: Vec3::splat(f32::from_bits(1)) });
+    for (name, mesh) in zoo() {
+        check(name, mesh, &views);
+    }
+}
+
+#[test]
+fn coordinates_at_both_ends_of_f32() {
+    let (huge, tiny) = (1e38, f32::from_bits(3));
+    for size in [huge, tiny] {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z].map(|p| p * size).to_vec();
+        let mesh = TriangleMesh::new(positions, vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]).unwrap();
+        let views = adversarial(&mesh, 20);
+        check("tetrahedron", mesh, &views);
+    }
+}
+
+#[test]
+fn a_fan_of_a_thousand_faces_at_one_edge() {
+    let turn = |i: u32| f64::from(i) * std::f64::consts::TAU / 1000.0;
+    let rim = (0..1000).map(|i| DVec3::new(turn(i).cos(), turn(i).sin(), 0.5).as_vec3());
+    let positions = [Vec3::ZERO, Vec3::Z].into_iter().chain(rim).collect();
+    let mesh = TriangleMesh::new(positions, (0..1000).map(|i| [0, 1, i + 2]).collect()).unwrap();
+    let views = adversarial(&mesh, 10);
+    check("fan", mesh, &views);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn any_soup(mesh in soup(), views in prop::collection::vec(viewpoint(), 1..20)) {
+        check("soup", mesh, &views);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// Enough patches for a tree of several levels, some faces removed so that the mesh is open.
+    #[test]
+    fn open_meshes_of_many_patches(
+        kept in prop::collection::vec(prop::bool::weighted(0.9), 6000),
+        eyes in prop::collection::vec(prop::array::uniform3(-2.0_f32..2.0), 8),
+    ) {
+        let whole = silhouette_core::shapes::by_name("blob:6000").unwrap();
+        let faces = whole.triangles().iter().zip(&kept);
+        let triangles = faces.filter(|&(_, kept)| *kept).map(|(triangle, _)| *triangle).collect();
+        let mesh = TriangleMesh::new(whole.positions().to_vec(), triangles).unwrap();
+        let views: Vec<_> = eyes.into_iter().map(|eye| Viewpoint::Perspective { eye: eye.into() }).collect();
+        check("open blob", mesh, &views);
+    }
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_counters() {
+    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:300000").unwrap()));
+    let view = Viewpoint::Perspective { eye: Vec3::new(1.0, 2.0, 3.0) };
+    let run = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut edges = SilhouetteEdges::default();
+            let stats = prepare::<BruteForceSimd>(&mesh).extract_edges(&view, &mut edges);
+            (edges, stats)
+        })
+    };
+    let (edges, stats) = run(1);
+    assert!(edges.len() > 1000 && stats.faces_tested > 300_000, "{stats:?}");
+    assert_eq!(run(3), (edges, stats));
+}
