@@ -40,15 +40,8 @@ impl MeshBuffers {
     /// # Errors
     /// [`MeshTooLarge`], before anything is allocated.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &TriangleMesh) -> Result<Self, MeshTooLarge> {
-        let limit = device.limits().max_buffer_size;
-        let position_bytes = mesh.vertex_count() as u64 * POSITION_LAYOUT.array_stride;
-        let index_bytes = mesh.face_count() as u64 * 12;
-        for (what, bytes) in [("positions", position_bytes), ("triangles", index_bytes)] {
-            if bytes > limit {
-                return Err(MeshTooLarge { what, bytes, limit });
-            }
-        }
-
+        let [position_bytes, index_bytes] =
+            buffer_bytes(mesh.vertex_count(), mesh.face_count(), device.limits().max_buffer_size)?;
         let bounds = mesh.bounds();
         let frame = LocalFrame::new(bounds.as_ref());
         let buffers = (mesh.face_count() > 0).then(|| {
@@ -90,6 +83,17 @@ impl MeshBuffers {
     }
 }
 
+/// Bytes of the vertex and the index buffer.
+fn buffer_bytes(vertices: usize, faces: usize, limit: u64) -> Result<[u64; 2], MeshTooLarge> {
+    let sizes = [vertices, faces].map(|count| count as u64 * 12);
+    for (what, bytes) in ["positions", "triangles"].into_iter().zip(sizes) {
+        if bytes > limit {
+            return Err(MeshTooLarge { what, bytes, limit });
+        }
+    }
+    Ok(sizes)
+}
+
 fn upload(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
@@ -105,4 +109,16 @@ fn upload(
     });
     queue.write_buffer(&buffer, 0, bytes);
     buffer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mesh_beyond_the_largest_buffer_is_refused() {
+        assert_eq!(buffer_bytes(10, 20, 240), Ok([120, 240]));
+        assert_eq!(buffer_bytes(10, 20, 239), Err(MeshTooLarge { what: "triangles", bytes: 240, limit: 239 }));
+        assert_eq!(buffer_bytes(10, 20, 119), Err(MeshTooLarge { what: "positions", bytes: 120, limit: 119 }));
+    }
 }

@@ -22,12 +22,14 @@ pub struct Pen {
 }
 
 impl Pen {
-    /// The distances to the left of the line that the ink covers, in pixels: lowest, highest.
+    /// The distances to the left of the line that the ink covers, in pixels: lowest, highest. A width that is negative or
+    /// no number counts as 0.
     pub fn span_px(&self) -> [f64; 2] {
+        let width_px = self.width_px.max(0.0);
         match self.placement {
-            PenPlacement::Centred => [-0.5 * self.width_px, 0.5 * self.width_px],
-            PenPlacement::Inside => [0.0, self.width_px],
-            PenPlacement::Outside => [-self.width_px, 0.0],
+            PenPlacement::Centred => [-0.5 * width_px, 0.5 * width_px],
+            PenPlacement::Inside => [0.0, width_px],
+            PenPlacement::Outside => [-width_px, 0.0],
         }
     }
 }

@@ -47,11 +47,21 @@ pub struct Scene<'a> {
 /// paper, a pixel's darkness is the covered share of its area.
 ///
 /// Tiles of at most 2048 x 2048 samples keep the memory bounded for any image size. Cost: each tile draws the whole
-/// mesh.
+/// mesh. Targets and pipelines are kept for the next image of the same size and style.
 #[derive(Debug)]
 pub struct ReferenceRenderer {
     lines: LinePass,
     downsample: BoxDownsample,
+    depth_fill: FillPass,
+    fill: Option<(FillStyle, FillPass)>,
+    targets: Option<TileTargets>,
+}
+
+/// What the samples and the pixels of a tile are drawn to.
+#[derive(Debug)]
+struct TileTargets {
+    samples: Target,
+    pixels: Target,
 }
 
 impl ReferenceRenderer {
@@ -60,8 +70,14 @@ impl ReferenceRenderer {
     /// # Errors
     /// What the device reports.
     pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
-        let lines = LinePass::new(gpu, DEFAULT_FORMATS.color, 1)?;
-        Ok(Self { lines, downsample: BoxDownsample::new(gpu)? })
+        let depth_style = FillStyle { shade: Shade::DepthOnly, cull: Cull::None };
+        Ok(Self {
+            lines: LinePass::new(gpu, DEFAULT_FORMATS.color, 1)?,
+            downsample: BoxDownsample::new(gpu)?,
+            depth_fill: FillPass::new(gpu, DEFAULT_FORMATS, depth_style)?,
+            fill: None,
+            targets: None,
+        })
     }
 
     /// The scene with `n` x `n` samples a pixel, n from 1 to 16.
@@ -77,9 +93,17 @@ impl ReferenceRenderer {
             Join::Round | Join::Bevel => 1.0,
         };
         let tiling = Tiling::new([width, height], n, scene.style.pen.width_px * limit);
-        let samples = Target::new(gpu, tiling.target_px(), DEFAULT_FORMATS)?;
-        let pixels = Target::new(gpu, tiling.tile_px(), DEFAULT_FORMATS)?;
-        let fill = FillPass::new(gpu, DEFAULT_FORMATS, scene.fill)?;
+        let TileTargets { samples, pixels } = match self.targets.take() {
+            Some(kept) if kept.samples.size() == tiling.target_px() && kept.pixels.size() == tiling.tile_px() => kept,
+            _ => TileTargets {
+                samples: Target::new(gpu, tiling.target_px(), DEFAULT_FORMATS)?,
+                pixels: Target::new(gpu, tiling.tile_px(), DEFAULT_FORMATS)?,
+            },
+        };
+        let fill = match self.fill.take() {
+            Some((style, kept)) if style == scene.fill => kept,
+            _ => FillPass::new(gpu, DEFAULT_FORMATS, scene.fill)?,
+        };
         let whole = PassView::new(&scene.camera, scene.mesh.bounds(), DEFAULT_FORMATS.depth_direction);
         let mut image = Image { width, height, rgba: vec![0; 4 * width as usize * height as usize] };
         for placed in tiling.tiles() {
@@ -92,6 +116,8 @@ impl ReferenceRenderer {
             let tile = pixels.read_color(gpu)?;
             placed.copy_rows(&mut image.rgba, width, 1, 4, &tile.rgba, tile.width);
         }
+        self.fill = Some((scene.fill, fill));
+        self.targets = Some(TileTargets { samples, pixels });
         Ok(image)
     }
 
@@ -106,12 +132,11 @@ impl ReferenceRenderer {
         gpu.check_budget(4 * u64::from(width) * u64::from(height))?;
         let tiling = Tiling::new(size, n, 0.0);
         let target = Target::new(gpu, tiling.target_px(), DEFAULT_FORMATS)?;
-        let fill = FillPass::new(gpu, DEFAULT_FORMATS, FillStyle { shade: Shade::DepthOnly, cull: Cull::None })?;
         let whole = PassView::new(camera, mesh.bounds(), DEFAULT_FORMATS.depth_direction);
         let mut values = vec![0.0; width as usize * height as usize];
         for placed in tiling.tiles() {
-            fill.prepare(gpu, mesh, &whole.with_tile(placed.tile));
-            gpu.draw(&target, Load::Clear([1.0; 4]), |pass| fill.draw(pass, mesh))?;
+            self.depth_fill.prepare(gpu, mesh, &whole.with_tile(placed.tile));
+            gpu.draw(&target, Load::Clear([1.0; 4]), |pass| self.depth_fill.draw(pass, mesh))?;
             let tile = target.read_depth(gpu)?;
             placed.copy_rows(&mut values, width, n, 1, &tile.values, tile.width);
         }

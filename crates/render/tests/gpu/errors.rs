@@ -5,6 +5,11 @@ use silhouette_gpu::TargetFormats;
 use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{AdapterChoice, DEFAULT_FORMATS, Gpu, GpuError, Load, Target};
 
+/// A device that a test may lose, or leave errors on, without another test noticing.
+fn own_gpu(test: &str) -> Option<Gpu> {
+    gpu_or_skip(test).map(|_| Gpu::new(AdapterChoice::from_env().unwrap()).unwrap())
+}
+
 fn bad_shader(gpu: &Gpu) -> wgpu::ShaderModule {
     gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("bad"),
@@ -32,8 +37,7 @@ fn a_pass_that_is_recorded_wrongly_is_a_validation_error() {
 
 #[test]
 fn an_error_outside_of_a_scope_is_kept_until_asked_for() {
-    // A device of its own: another test's check could take the error from a shared one.
-    let Ok(gpu) = Gpu::new(AdapterChoice::Any) else { return };
+    let Some(gpu) = own_gpu("an_error_outside_of_a_scope_is_kept_until_asked_for") else { return };
     bad_shader(&gpu);
     assert!(matches!(gpu.check(), Err(GpuError::Validation(_))));
     assert!(gpu.check().is_ok());
@@ -41,7 +45,7 @@ fn an_error_outside_of_a_scope_is_kept_until_asked_for() {
 
 #[test]
 fn a_lost_device_is_an_error_from_then_on() {
-    let Ok(gpu) = Gpu::new(AdapterChoice::Any) else { return };
+    let Some(gpu) = own_gpu("a_lost_device_is_an_error_from_then_on") else { return };
     let target = Target::new(&gpu, [4, 4], DEFAULT_FORMATS).unwrap();
     gpu.draw(&target, Load::Clear(WHITE), |_| {}).unwrap();
     gpu.device().destroy();
@@ -64,7 +68,7 @@ fn impossible_targets_are_refused_before_they_are_made() {
         let error = Target::new(gpu, [4, 4], TargetFormats { samples, ..DEFAULT_FORMATS }).unwrap_err();
         assert!(matches!(error, GpuError::Samples { .. }), "{error}");
     }
-    let Ok(small) = Gpu::new(AdapterChoice::Any) else { return };
+    let Some(small) = own_gpu("impossible_targets_are_refused_before_they_are_made") else { return };
     let small = small.with_memory_budget(8 * 100);
     assert!(Target::new(&small, [10, 10], DEFAULT_FORMATS).is_ok());
     let error = Target::new(&small, [10, 11], DEFAULT_FORMATS).unwrap_err();

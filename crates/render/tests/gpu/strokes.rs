@@ -188,4 +188,10 @@ fn lines_that_are_none_draw_nothing() {
         [(vec![], false), (vec![p], true), (vec![p; 4], true), (vec![p, DVec3::NAN, p], false), (vec![p, p], false)];
     let image = draw(gpu, pixel_camera([40; 2]), &lines, LineStyle { hidden: Hidden::Drawn, ..LineStyle::default() });
     assert!(ink(&image) < 1e-9);
+    let line = in_pixels(&[DVec2::new(5.0, 5.0), DVec2::new(35.0, 30.0)]);
+    for width_px in [0.0, -3.0, f64::NAN, f64::INFINITY] {
+        let image =
+            draw(gpu, pixel_camera([40; 2]), &[(line.clone(), false)], style(width_px, Join::Round, Cap::Round));
+        assert!(ink(&image) < 1e-9, "width {width_px}");
+    }
 }
