@@ -1,20 +1,24 @@
 //! Records which compiler and which commit the crate was built from, for the head of every result file.
 
+use std::path::Path;
 use std::process::Command;
 
 fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
     println!("cargo::rustc-env=SILHOUETTES_RUSTC={}", first_line(&rustc, &["--version"]));
-    println!(
-        "cargo::rustc-env=SILHOUETTES_COMMIT={}",
-        first_line("git", &["describe", "--always", "--dirty", "--abbrev=12"])
-    );
-    println!("cargo::rerun-if-changed=build.rs");
-    // Every commit adds a line to this log. Where there is none, as in a published package, there is no commit either.
-    let log = first_line("git", &["rev-parse", "--git-path", "logs/HEAD"]);
-    if !log.is_empty() {
-        println!("cargo::rerun-if-changed={log}");
+    println!("cargo::rustc-env=SILHOUETTES_COMMIT={}", commit());
+}
+
+/// The commit, with `-dirty` where the tree has changes. Empty for a published package, which may lie inside of somebody
+/// else's repository: only this workspace's own counts.
+fn commit() -> String {
+    if !Path::new("../../.git").exists() {
+        return String::new();
     }
+    // Every commit adds a line to this log.
+    println!("cargo::rerun-if-changed={}", first_line("git", &["rev-parse", "--git-path", "logs/HEAD"]));
+    first_line("git", &["describe", "--always", "--dirty", "--abbrev=12"])
 }
 
 /// First line that a program prints; empty where it fails.

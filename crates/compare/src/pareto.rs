@@ -7,15 +7,16 @@
 pub fn pareto_front(points: &[[f64; 2]]) -> Vec<usize> {
     let is_number = |&index: &usize| !points[index].iter().any(|value| value.is_nan());
     let mut order: Vec<usize> = (0..points.len()).filter(is_number).collect();
-    // Adding 0 turns -0 into 0, which `total_cmp` would tell apart.
+    // Adding 0 turns -0 into 0, which `total_cmp` and the bits would tell apart.
     let key = |index: usize| points[index].map(|value| value + 0.0);
+    let ties = |a: usize, b: usize| key(a).map(f64::to_bits) == key(b).map(f64::to_bits);
     order.sort_by(|&a, &b| {
         let ([cost_a, error_a], [cost_b, error_b]) = (key(a), key(b));
         cost_a.total_cmp(&cost_b).then(error_a.total_cmp(&error_b)).then(a.cmp(&b))
     });
     let mut front: Vec<usize> = Vec::new();
     for index in order {
-        let beats_the_last = |&last: &usize| points[index][1] < points[last][1] || key(index) == key(last);
+        let beats_the_last = |&last: &usize| points[index][1] < points[last][1] || ties(index, last);
         if front.last().is_none_or(beats_the_last) {
             front.push(index);
         }

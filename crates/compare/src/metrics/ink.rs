@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn coverage_is_clamped_and_nan_is_paper() {
         let ink = Ink::from_fn(3, 1, |x, _| [f32::NAN, -3.0, 7.0][x as usize]);
-        assert_eq!([0, 1, 2].map(|x| ink.coverage(x, 0)), [0.0, 0.0, 1.0]);
+        assert_eq!([0, 1, 2].map(|x| ink.coverage(x, 0).to_bits()), [0.0, 0.0, 1.0].map(f32::to_bits));
         assert_eq!(ink.ink_pixels().collect::<Vec<_>>(), [(2, 0)]);
         assert_eq!((ink.coverage(-1, 0), ink.coverage(3, 0)), (0.0, 0.0));
     }

@@ -25,7 +25,8 @@ pub fn spurious_share(ink: &Ink, true_pen: &Ink, tolerance_px: f64) -> f64 {
 }
 
 fn share_of(part: f64, whole: f64) -> f64 {
-    if whole > 0.0 { part / whole } else { 0.0 }
+    // The sum of no values is -0, which would be written as such: adding 0 makes it 0.
+    if whole > 0.0 { part / whole + 0.0 } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -98,9 +98,9 @@ fn layout(metrics: &[&MetricSpec], series: &[Series], first: usize) -> Layout {
     let menu = UpdateMenu::new()
         .active(i32::try_from(first).unwrap_or(0))
         .buttons(metrics.iter().zip(series).map(button).collect())
-        .x(1.0)
-        .x_anchor(Anchor::Right)
-        .y(1.02)
+        .x(0.0)
+        .x_anchor(Anchor::Left)
+        .y(1.03)
         .y_anchor(Anchor::Bottom);
     let axis = || Axis::new().zero_line(false).grid_color("#e6e8eb").auto_margin(true);
     Layout::new()

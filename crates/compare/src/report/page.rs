@@ -74,7 +74,7 @@ fn cell_row(summary: &MeshSummary, cell: &CellSummary, color: &str) -> Value {
             (None, _) => "draws only".to_owned(),
             (Some(_), None) => "all, exact".to_owned(),
             (Some(_), Some(edges)) => {
-                format!("precision {:.5}, recall {:.5} at worst", edges.precision, edges.recall)
+                format!("precision {:.4}, recall {:.4} at worst", edges.precision, edges.recall)
             }
         },
         edges_wrong => wrong.is_some(),
@@ -124,8 +124,9 @@ fn metric_row(metric: &MetricSpec) -> Value {
     context! { name => name, title => title, unit => unit, best => best, worst => worst, summary => summary }
 }
 
+/// Shares are shown in per cent, as the head of the table says.
 fn metric_text(metric: &MetricSpec, value: f64) -> String {
-    if metric.unit == "share" { format!("{:.2} %", value * 100.0) } else { format!("{value:.2}") }
+    if metric.unit == "share" { format!("{:.2}", value * 100.0) } else { format!("{value:.2}") }
 }
 
 fn milliseconds(value: f64) -> String {
