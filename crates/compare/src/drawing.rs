@@ -205,3 +205,41 @@ pub fn render_method(
     drawing.draw(gpu, camera)?;
     drawing.picture(gpu)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::Ink;
+    use crate::registry;
+    use silhouette_core::shapes;
+    use silhouette_core::view::{Framing, ViewPreset};
+    use silhouette_render::testing::gpu_or_skip;
+
+    #[test]
+    fn every_method_draws_with_and_without_antialiasing() {
+        let Some(gpu) = gpu_or_skip("every_method_draws_with_and_without_antialiasing") else { return };
+        let mesh = Arc::new(PreparedMesh::new(shapes::by_name("cube").unwrap()));
+        let (direction, up) = ViewPreset::default().directions();
+        let framing = Framing::Perspective { fov_y_rad: 0.8 };
+        let bounds = mesh.mesh().bounds().unwrap();
+        let camera = Camera::framing(&bounds, direction, up, framing, [128, 96]).unwrap();
+        for entry in registry::all() {
+            let options = OptionValues::defaults(entry.info.options);
+            let [sharp, smooth] = [1, 4].map(|samples| {
+                let style = FrameStyle { size: camera.size(), pen_width_px: 2.0, samples };
+                render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap()
+            });
+            let name = entry.info.name;
+            let is_grey = |image: &Image| image.rgba.chunks(4).any(|pixel| !matches!(pixel[0], 0 | 255));
+            assert!(!is_grey(&sharp) && is_grey(&smooth), "{name}");
+            let inked = |image: &Image| {
+                let ink = Ink::from_picture(image);
+                let pixels =
+                    (0..i64::from(image.height)).flat_map(|y| (0..i64::from(image.width)).map(move |x| (x, y)));
+                pixels.map(|(x, y)| f64::from(ink.coverage(x, y))).sum::<f64>()
+            };
+            let area = [inked(&sharp), inked(&smooth)];
+            assert!(area[0] > 50.0 && (area[0] / area[1] - 1.0).abs() < 0.25, "{name}: {area:?}");
+        }
+    }
+}

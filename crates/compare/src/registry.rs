@@ -1,16 +1,17 @@
-//! The one list of methods. To add one, add a line to [`ENTRIES`].
+//! The one list of methods. To add one, add a line to `ENTRIES`.
 
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, Viewpoint};
-use silhouette_extraction::BruteForce;
+use silhouette_extraction::{BruteForce, BruteForceSimd};
 use silhouette_gpu::{DrawsLines, LineRenderer, MeshTooLarge, PenPlacement, TargetFormats};
 use silhouette_image_precision::ImagePrecision;
 use silhouette_render::Gpu;
 use std::sync::Arc;
 
 /// Every method, in the order in which they are listed and compared.
-static ENTRIES: [Entry; 2] = [Entry::loops::<BruteForce>(), Entry::lines::<ImagePrecision>()];
+static ENTRIES: [Entry; 3] =
+    [Entry::loops::<BruteForce>(), Entry::edges::<BruteForceSimd>(), Entry::lines::<ImagePrecision>()];
 
 /// The baseline: speeds are stated as ratios to it.
 pub const BASELINE: &str = BruteForce::INFO.name;
