@@ -1,7 +1,7 @@
 //! Areas, lengths and counts that a silhouette must have, by another route than the extraction's.
 
 use crate::zoo;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use silhouette_core::loops::start_vertex;
 use silhouette_core::shapes::{Sphere, by_name};
@@ -17,7 +17,7 @@ fn ends(mesh: &TriangleMesh, half_edge: HalfEdgeId) -> [DVec3; 2] {
 }
 
 fn vector_area(mesh: &TriangleMesh, face: FaceId) -> DVec3 {
-    let [a, b, c] = mesh.corners(face).map(|p| p.as_dvec3());
+    let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
     (b - a).cross(c - a) * 0.5
 }
 

@@ -14,7 +14,6 @@ use std::sync::Arc;
 
 /// One view of one mesh with everything that brute force says of it.
 pub struct Seen {
-    pub mesh: Arc<TriangleMesh>,
     pub topology: Arc<Topology>,
     pub facings: FaceFacings,
     pub edges: SilhouetteEdges,
@@ -30,7 +29,7 @@ pub fn look(mesh: &TriangleMesh, viewpoint: &Viewpoint) -> Seen {
     method.extract_loops(viewpoint, &mut loops);
     let topology = prepared.artefact("test", &NoProgress).unwrap();
     let facings = FaceFacings::new(mesh, viewpoint);
-    Seen { mesh: Arc::clone(prepared.mesh()), topology, facings, edges, loops }
+    Seen { topology, facings, edges, loops }
 }
 
 /// Moves every vertex by up to `amount`, differently for each `seed`.

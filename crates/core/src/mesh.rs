@@ -73,7 +73,8 @@ impl TriangleMesh {
     /// # Errors
     /// [`MeshError`] names the first vertex or face at fault.
     pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
-        let too_large = |what, count, limit| if count > limit { Err(MeshError::TooLarge { what, count, limit }) } else { Ok(()) };
+        let too_large =
+            |what, count, limit| if count > limit { Err(MeshError::TooLarge { what, count, limit }) } else { Ok(()) };
         too_large("vertices", positions.len(), MAX_VERTICES)?;
         too_large("faces", triangles.len(), MAX_FACES)?;
         if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {

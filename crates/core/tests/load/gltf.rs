@@ -1,4 +1,4 @@
-use crate::common::{SQUARE, accepted, assert_square, positions};
+use crate::expectations::{SQUARE, accepted, assert_square, positions};
 use base64::Engine as _;
 use silhouette_core::load::{Format::Gltf, load};
 

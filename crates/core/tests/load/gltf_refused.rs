@@ -1,4 +1,4 @@
-use crate::common::{SQUARE, assert_refused, refused};
+use crate::expectations::{SQUARE, assert_refused, refused};
 use crate::gltf::{Document, square};
 use silhouette_core::load::{Format::Gltf, Place, Problem, load};
 

@@ -1,7 +1,7 @@
 //! Loading: what each format yields, down to the bit, and how each bad file is refused.
 
 mod cancelling;
-mod common;
+mod expectations;
 mod gltf;
 mod gltf_refused;
 mod obj;

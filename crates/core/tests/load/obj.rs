@@ -1,4 +1,4 @@
-use crate::common::{accepted, assert_refused, assert_square, positions, refused, square_rows};
+use crate::expectations::{accepted, assert_refused, assert_square, positions, refused, square_rows};
 use silhouette_core::load::{Format::Obj, Place, Problem};
 
 fn square(faces: &str) -> String {

@@ -1,4 +1,4 @@
-use crate::common::{accepted, assert_refused, assert_square, square_rows};
+use crate::expectations::{accepted, assert_refused, assert_square, square_rows};
 use silhouette_core::load::Format::Off;
 
 fn square(header: &str, faces: &str) -> String {

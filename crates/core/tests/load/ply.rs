@@ -1,4 +1,4 @@
-use crate::common::{SQUARE, accepted, assert_refused, assert_square, positions, refused, square_rows};
+use crate::expectations::{SQUARE, accepted, assert_refused, assert_square, positions, refused, square_rows};
 use silhouette_core::load::{Format::Ply, Place, Problem};
 
 const XYZ: &str = "property float x\nproperty float y\nproperty float z\n";

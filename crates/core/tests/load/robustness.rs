@@ -1,7 +1,7 @@
 //! Bytes that nobody wrote: random ones, and good files cut, overwritten and extended, never make a reader panic or
 //! take more memory than its bytes could fill.
 
-use crate::common::square_rows;
+use crate::expectations::square_rows;
 use proptest::prelude::*;
 use silhouette_core::NoProgress;
 use silhouette_core::load::{Format, read};

@@ -1,4 +1,4 @@
-use crate::common::{SQUARE, SQUARE_FAN, accepted, assert_refused, assert_square, positions};
+use crate::expectations::{SQUARE, SQUARE_FAN, accepted, assert_refused, assert_square, positions};
 use silhouette_core::load::Format::Stl;
 
 /// A binary file of these triangles, with wrong normals and non-zero attributes.
