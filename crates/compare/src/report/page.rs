@@ -63,6 +63,7 @@ fn cell_row(summary: &MeshSummary, cell: &CellSummary, color: &str) -> Value {
         context! { text => metric_text(metric, value), best => best(metric) && summary.cells.len() > 1 }
     });
     let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), milliseconds);
+    let ratio = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3}"));
     let wrong = cell.edges.filter(|edges| edges.precision < 1.0 || edges.recall < 1.0);
     context! {
         method => &cell.method,
@@ -86,7 +87,8 @@ fn cell_row(summary: &MeshSummary, cell: &CellSummary, color: &str) -> Value {
         median => milliseconds(cell.frame.frame_ms.median),
         p95 => milliseconds(cell.frame.frame_ms.p95),
         max => milliseconds(cell.frame.frame_ms.max),
-        ratio => cell.frame_ratio.map_or_else(|| "–".to_owned(), |ratio| format!("{ratio:.2}")),
+        frame_ratio => ratio(cell.frame_ratio),
+        extract_ratio => ratio(cell.extract_ratio),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Records of all views of a mesh and method, drawn together.
 
-use crate::cost::{FrameCost, PrepareCost};
+use crate::cost::{FrameCost, PrepareCost, Spread};
 use crate::metrics::{LineMetrics, METRICS, MetricSpec};
 use crate::pareto::pareto_front;
 use crate::record::{EdgeScore, MeshRecord, PenRecord, Record};
@@ -39,6 +39,8 @@ pub struct CellSummary {
     pub frame: FrameCost,
     /// Median frame time over that of the [`BASELINE`] on the same mesh in the same run.
     pub frame_ratio: Option<f64>,
+    /// The same ratio of median times of the extraction alone.
+    pub extract_ratio: Option<f64>,
 }
 
 impl MeshSummary {
@@ -74,10 +76,12 @@ fn summarise_mesh(records: &[&Record]) -> MeshSummary {
         views = views.max(of_cell.len());
         cells.push(summarise_cell(&of_cell));
     }
-    let baseline = cells.iter().find(|cell| cell.method == BASELINE).map(|cell| cell.frame.frame_ms.median);
+    let baseline = cells.iter().find(|cell| cell.method == BASELINE).map(|cell| cell.frame);
     for cell in &mut cells {
-        cell.frame_ratio =
-            baseline.map(|baseline| cell.frame.frame_ms.median / baseline).filter(|ratio| ratio.is_finite());
+        let ratio =
+            |ours: Spread, baseline: Spread| Some(ours.median / baseline.median).filter(|ratio| ratio.is_finite());
+        cell.frame_ratio = baseline.and_then(|baseline| ratio(cell.frame.frame_ms, baseline.frame_ms));
+        cell.extract_ratio = baseline.and_then(|baseline| ratio(cell.frame.extract_ms?, baseline.extract_ms?));
     }
     let lengths = records.iter().map(|record| record.truth.visible_length_px);
     let visible_length_px = lengths.sum::<f64>() / records.len() as f64;
@@ -100,6 +104,7 @@ fn summarise_cell(records: &[&Record]) -> CellSummary {
         prepare: first.prepare,
         frame: first.frame,
         frame_ratio: None,
+        extract_ratio: None,
     }
 }
 
@@ -130,6 +135,7 @@ mod tests {
         assert!((cell.metrics.chamfer_px - 2.0).abs() < 1e-12 && (cell.metrics.width_mean_px - 2.0).abs() < 1e-12);
         assert_eq!(cell.edges, Some(EdgeScore { found: 4, precision: 0.5, recall: 0.75 }));
         assert_eq!((meshes[0].views, meshes[0].cells[1].frame_ratio), (2, Some(0.25)));
+        assert_eq!(meshes[0].cells[1].extract_ratio, Some(0.25));
         assert_eq!(meshes[1].cells[0].frame_ratio, None, "no baseline on this mesh");
     }
 
