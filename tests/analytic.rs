@@ -53,7 +53,8 @@ fn icospheres_stay_within_an_edge_and_a_fraction_of_the_circle() {
 fn the_circle_of_a_nearer_eye_is_too_far_away() {
     let sphere = Sphere::default();
     let mesh = sphere.icosphere(4).unwrap();
-    let seen_from = |distance: f32| Viewpoint::Perspective { eye: glam::Vec3::new(0.3, 0.8, 0.5).normalize() * distance };
+    let seen_from =
+        |distance: f32| Viewpoint::Perspective { eye: glam::Vec3::new(0.3, 0.8, 0.5).normalize() * distance };
     let circle = sphere.contour(&seen_from(1.5 * sphere.radius as f32))[0].polyline(4096);
     let seen = zoo::look(&mesh, &seen_from(30.0 * sphere.radius as f32));
     let vertex = seen.topology.end_points(seen.edges.as_slice()[0])[0];

@@ -4,7 +4,9 @@
 use crate::zoo;
 use proptest::prelude::*;
 use silhouette_core::loops::{LoopWalker, start_vertex};
-use silhouette_core::{FaceFacings, FaceId, HalfEdgeId, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{
+    FaceFacings, FaceId, HalfEdgeId, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Vertices of a half-edge: where it starts, where it ends.

@@ -86,7 +86,8 @@ proptest! {
 #[test]
 fn built_in_shapes_on_an_integer_lattice() {
     for (_, mesh) in zoo::builtins() {
-        let points: Vec<_> = mesh.positions().iter().map(|p| (*p * 4000.0).round().to_array().map(|c| c as i32)).collect();
+        let points: Vec<_> =
+            mesh.positions().iter().map(|p| (*p * 4000.0).round().to_array().map(|c| c as i32)).collect();
         for viewpoint in [[9000, 4000, 7000], [0, 0, 12_000], [100, 3, -50], [4000, 4000, 4000]] {
             check(&points, mesh.triangles(), viewpoint);
         }

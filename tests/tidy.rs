@@ -81,7 +81,10 @@ fn dependencies_follow_the_rules() {
 fn the_dependency_rules_can_be_broken() {
     let edge = |from: &str, to: &str, optional| Edge { from: from.into(), to: to.into(), optional };
     for (bad, good) in [
-        (edge("silhouette-extraction", "silhouette-image-precision", true), edge("silhouette-compare", "silhouette-extraction", false)),
+        (
+            edge("silhouette-extraction", "silhouette-image-precision", true),
+            edge("silhouette-compare", "silhouette-extraction", false),
+        ),
         (edge("silhouette-core", "wgpu", true), edge("silhouette-image-precision", "wgpu", true)),
         (edge("silhouette-image-precision", "wgpu", false), edge("silhouette-render", "wgpu", false)),
         (edge("silhouette-core", "silhouette-render", false), edge("silhouette-render", "silhouette-core", false)),
@@ -94,7 +97,8 @@ fn the_dependency_rules_can_be_broken() {
 
 /// Names of all crates that building `package` compiles.
 fn compiled(package: &str, features: &[&str]) -> BTreeSet<String> {
-    let arguments = [&["tree", "-p", package, "-e", "normal,build", "--prefix", "none", "--format", "{p}"], features].concat();
+    let arguments =
+        [&["tree", "-p", package, "-e", "normal,build", "--prefix", "none", "--format", "{p}"], features].concat();
     cargo(&arguments).lines().filter_map(|line| line.split(' ').next()).map(str::to_owned).collect()
 }
 
@@ -135,7 +139,8 @@ fn files_hold_one_room_each() {
     let mut broken = Vec::new();
     for path in files {
         let text = std::fs::read_to_string(&path).unwrap();
-        let limit = if path.extension().is_some_and(|extension| extension == "wgsl") { MAX_WGSL_LINES } else { MAX_RUST_LINES };
+        let limit =
+            if path.extension().is_some_and(|extension| extension == "wgsl") { MAX_WGSL_LINES } else { MAX_RUST_LINES };
         let lines = text.lines().count();
         if lines > limit {
             broken.push(format!("{}: {lines} lines, at most {limit}", path.display()));

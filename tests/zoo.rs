@@ -85,7 +85,19 @@ pub fn directions(count: usize) -> impl Iterator<Item = Vec3> {
 
 /// Built-in shapes of every family, small.
 pub fn builtins() -> Vec<(&'static str, TriangleMesh)> {
-    let names = ["cube", "icosphere:2", "uv-sphere", "ellipsoid", "cylinder", "cone", "torus", "knot", "grid", "moebius", "gear"];
+    let names = [
+        "cube",
+        "icosphere:2",
+        "uv-sphere",
+        "ellipsoid",
+        "cylinder",
+        "cone",
+        "torus",
+        "knot",
+        "grid",
+        "moebius",
+        "gear",
+    ];
     names.into_iter().chain(["blob:2000"]).map(|name| (name, by_name(name).unwrap())).collect()
 }
 

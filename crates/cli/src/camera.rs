@@ -96,7 +96,9 @@ fn vector(text: &str) -> Result<Vec3, String> {
 fn ortho_height(text: &str) -> Result<OrthoHeight, String> {
     match text {
         "fit" => Ok(OrthoHeight::Fit),
-        number => number.parse().map(OrthoHeight::Units).map_err(|_| "expected a height such as 2.5, or 'fit'".to_owned()),
+        number => {
+            number.parse().map(OrthoHeight::Units).map_err(|_| "expected a height such as 2.5, or 'fit'".to_owned())
+        }
     }
 }
 
@@ -150,6 +152,8 @@ mod tests {
         for bad in ["1,2", "1,2,3,4", "a,b,c", "1,2,inf", ""] {
             assert!(vector(bad).is_err(), "{bad}");
         }
-        assert!(size("12").is_err() && size("ax2").is_err() && preset("sideways").is_err() && ortho_height("x").is_err());
+        assert!(
+            size("12").is_err() && size("ax2").is_err() && preset("sideways").is_err() && ortho_height("x").is_err()
+        );
     }
 }

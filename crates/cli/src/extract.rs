@@ -66,7 +66,10 @@ pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
         viewpoint,
         edges: edges.iter().map(|edge| topology.end_points(edge)).collect(),
         boundary: edges.boundary(&topology).map(|edge| topology.end_points(edge)).collect(),
-        loops: loops.iter().map(|half_edges| half_edges.iter().map(|&h| start_vertex(mesh.mesh(), h)).collect()).collect(),
+        loops: loops
+            .iter()
+            .map(|half_edges| half_edges.iter().map(|&h| start_vertex(mesh.mesh(), h)).collect())
+            .collect(),
         stats,
         mesh: Arc::clone(mesh.mesh()),
     };
@@ -79,7 +82,12 @@ pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
 }
 
 /// The loops that hold these edges.
-fn loops_through(edges: &SilhouetteEdges, mesh: &TriangleMesh, topology: &Topology, viewpoint: &Viewpoint) -> SilhouetteLoops {
+fn loops_through(
+    edges: &SilhouetteEdges,
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    viewpoint: &Viewpoint,
+) -> SilhouetteLoops {
     let facings = FaceFacings::new(mesh, viewpoint);
     let mut loops = SilhouetteLoops::default();
     LoopWalker::default().walk(topology, &facings, edges, &mut loops);
@@ -92,7 +100,10 @@ fn format_of(path: Option<&Path>) -> Result<Format, Failure> {
         Some("json") => Ok(Format::Json),
         Some("svg") => Ok(Format::Svg),
         Some("obj") => Ok(Format::Obj),
-        _ => Err(Failure::Input(format!("{}: unknown kind of output; end its name in .json, .svg or .obj", path.display()))),
+        _ => Err(Failure::Input(format!(
+            "{}: unknown kind of output; end its name in .json, .svg or .obj",
+            path.display()
+        ))),
     }
 }
 

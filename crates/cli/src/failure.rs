@@ -43,7 +43,8 @@ impl Failure {
 /// clap's message as one line: its paragraphs up to the usage, which `--help` shows.
 pub fn usage(error: &clap::Error) -> Failure {
     let text = error.render().to_string();
-    let lines = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
+    let lines =
+        text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
     let message = lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
     Failure::Input(format!("{} (see silhouettes --help)", message.trim_start_matches("error: ")))
 }

@@ -11,7 +11,8 @@ const BUILTIN: &str = "builtin:";
 
 /// Loads a file or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
-    let named = |name: &str, mesh: TriangleMesh| NamedMesh { name: name.to_owned(), mesh: Arc::new(PreparedMesh::new(mesh)) };
+    let named =
+        |name: &str, mesh: TriangleMesh| NamedMesh { name: name.to_owned(), mesh: Arc::new(PreparedMesh::new(mesh)) };
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
         return Ok(named(argument, mesh));

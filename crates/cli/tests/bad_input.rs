@@ -177,7 +177,9 @@ fn arguments() {
     assert!(refused(&["extract", "builtin:torus:1"]).contains("torus"));
     assert!(refused(&["extract", &mesh, "--fov", "180", "--view", "iso"]).contains("field of view"));
     assert!(refused(&["render", &mesh, "--size", "0x9", "-o", "x.png"]).contains("viewport"));
-    assert!(refused(&["render", &mesh, "--method", "image-precision", "--set", "scale=0", "-o", "x.png"]).contains("scale"));
+    assert!(
+        refused(&["render", &mesh, "--method", "image-precision", "--set", "scale=0", "-o", "x.png"]).contains("scale")
+    );
     assert!(refused(&["compare", "--methods", "none", "-o", "x"]).contains("none"));
     assert!(refused(&["bake", &mesh]).contains("bake"));
 }
