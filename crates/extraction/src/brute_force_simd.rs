@@ -17,7 +17,7 @@
 //! [`ExtractsMovingEdges`]. Failure cases: a mesh whose faces are mostly needles goes mostly through `judge`, which is
 //! still exact and some fifteen times slower.
 
-use crate::edge_marks::EdgeMarks;
+use crate::edge_order::EdgeOrder;
 use crate::patches::{FacePatches, PatchPlanes};
 use crate::sweep::{Harvest, Sweep};
 use rayon::prelude::*;
@@ -45,7 +45,7 @@ pub struct BruteForceSimd {
     moved: Option<Moved>,
     /// One a task.
     harvests: Vec<Harvest>,
-    marks: EdgeMarks,
+    order: EdgeOrder,
 }
 
 #[derive(Debug, Clone)]
@@ -71,15 +71,15 @@ impl Method for BruteForceSimd {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         let patches = mesh.artefact::<FacePatches>(Self::INFO.name, progress)?;
         let harvests = vec![Harvest::default(); patches.len().div_ceil(PATCHES_PER_TASK)];
-        let marks = EdgeMarks::new(topology.edge_count());
-        Ok(Self { mesh: Arc::clone(mesh.mesh()), patches, moved: None, harvests, marks })
+        let order = EdgeOrder::new(topology.edge_count());
+        Ok(Self { mesh: Arc::clone(mesh.mesh()), patches, moved: None, harvests, order })
     }
 
     fn bytes(&self) -> usize {
         let harvests: usize = self.harvests.iter().map(Harvest::bytes).sum();
         let moved = self.moved.as_ref();
         let moved = moved.map_or(0, |moved| size_of_val(moved.positions.as_slice()) + moved.planes.bytes());
-        self.marks.bytes() + harvests + moved
+        self.order.bytes() + harvests + moved
     }
 }
 
@@ -95,7 +95,6 @@ impl ExtractsEdges for BruteForceSimd {
             harvest.clear();
             let first = task * PATCHES_PER_TASK;
             for patch in first..patches.min(first + PATCHES_PER_TASK) {
-                harvest.stats.faces_tested += u64::from(planes.open[patch].count_ones());
                 sweep.visit(patch, harvest);
             }
         };
@@ -103,14 +102,10 @@ impl ExtractsEdges for BruteForceSimd {
             [only] => work((0, only)),
             several => several.par_iter_mut().enumerate().for_each(work),
         }
-        let mut stats = ExtractionStats::default();
-        for harvest in &self.harvests {
-            self.marks.insert(harvest.edges());
-            stats.faces_tested += harvest.stats.faces_tested;
-            stats.edges_tested += harvest.stats.edges_tested;
-            stats.exact_fallbacks += harvest.stats.exact_fallbacks;
-        }
-        self.marks.drain_into(out);
+        let mut stats = ExtractionStats { faces_tested: planes.lane_count(), ..ExtractionStats::default() };
+        let harvests = &self.harvests;
+        harvests.iter().for_each(|harvest| harvest.add_to(&mut stats));
+        self.order.sort(harvests.iter().map(Harvest::edges), out);
         stats
     }
 }

@@ -35,9 +35,16 @@ impl Harvest {
         self.stats = ExtractionStats::default();
     }
 
-    /// Silhouette edges in any order; a non-manifold one possibly several times.
+    /// Silhouette edges in any order, a non-manifold one possibly several times.
     pub(crate) fn edges(&self) -> &[u32] {
         &self.edges[..self.len]
+    }
+
+    /// Adds what was done to `stats`.
+    pub(crate) fn add_to(&self, stats: &mut ExtractionStats) {
+        stats.faces_tested += self.stats.faces_tested;
+        stats.edges_tested += self.stats.edges_tested;
+        stats.exact_fallbacks += self.stats.exact_fallbacks;
     }
 
     pub(crate) fn bytes(&self) -> usize {

@@ -79,21 +79,44 @@ impl Frame {
     }
 }
 
-/// Plane of a face in integers. `None`: the face has zero area for certain, so it is back from everywhere. All zero: no
-/// viewpoint's facing follows from this plane.
-pub(crate) fn quantize([v0, v1, v2]: [Vec3; 3], frame: &Frame) -> Option<[i16; 4]> {
+/// `(x, q)` of the [module](self), of length 1; `None` where a viewpoint is not finite or no direction.
+pub(crate) fn homogeneous(viewpoint: &Viewpoint, frame: &Frame) -> Option<DVec4> {
+    let point = match *viewpoint {
+        Viewpoint::Perspective { eye } => frame.local(eye).extend(1.0),
+        Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3().extend(0.0),
+    };
+    let length = point.length();
+    (length > 0.0 && length.is_finite()).then(|| point / length)
+}
+
+/// Unit normal, off by at most `2^-26`; `None` for needles and faces of zero area.
+pub(crate) fn unit_normal([v0, v1, v2]: [Vec3; 3]) -> Option<DVec3> {
     let origin = v0.as_dvec3();
     let (a, b) = (v1.as_dvec3() - origin, v2.as_dvec3() - origin);
     let normal = a.cross(b);
     let squared = normal.length_squared();
-    if squared >= LEAST_SINE_SQUARED * a.length_squared() * b.length_squared() && squared > 0.0 {
-        let normal = normal * squared.sqrt().recip();
-        let offset = -normal.dot(frame.local(v0));
-        return Some([normal.x, normal.y, normal.z, offset].map(round));
-    }
+    let is_certain = squared > 0.0 && squared >= LEAST_SINE_SQUARED * a.length_squared() * b.length_squared();
+    is_certain.then(|| normal / squared.sqrt())
+}
+
+/// Whether a face has zero area beyond doubt; never true for any other face.
+fn is_surely_flat([v0, v1, v2]: [Vec3; 3]) -> bool {
+    let origin = v0.as_dvec3();
+    let (a, b) = (v1.as_dvec3() - origin, v2.as_dvec3() - origin);
     let collapsed = v0 == v1 || v0 == v2 || v1 == v2;
-    let collinear = normal == DVec3::ZERO && is_exact_in_24_bits(a, v0, v1) && is_exact_in_24_bits(b, v0, v2);
-    (!collapsed && !collinear).then_some([0; 4])
+    collapsed || a.cross(b) == DVec3::ZERO && is_exact_in_24_bits(a, v0, v1) && is_exact_in_24_bits(b, v0, v2)
+}
+
+/// Plane of a face in integers. `None`: the face has zero area for certain, so it is back from everywhere. All zero: no
+/// viewpoint's facing follows from this plane.
+pub(crate) fn quantize(corners: [Vec3; 3], frame: &Frame) -> Option<[i16; 4]> {
+    match unit_normal(corners) {
+        Some(normal) => {
+            let offset = -normal.dot(frame.local(corners[0]));
+            Some([normal.x, normal.y, normal.z, offset].map(round))
+        }
+        None => (!is_surely_flat(corners)).then_some([0; 4]),
+    }
 }
 
 /// Whether `side`, the rounded `to - from`, carries no rounding error (both differences that Knuth's TwoDiff forms are
@@ -108,24 +131,22 @@ fn round(value: f64) -> i16 {
     (value * SCALE + 0.5_f64.copysign(value)) as i16
 }
 
-/// Planes of 64 faces, `N_1 N_2` and `N_3 D` of each face side by side: the shape that multiply-add instructions take.
+/// Planes of 64 faces, in quads: `N_1 N_2` of four faces, then `N_3 D` of the same four. That is the shape that
+/// multiply-add instructions take, and a pass reads memory strictly forwards.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(crate) struct PlaneBlock {
-    first: [i16; 2 * LANES],
-    second: [i16; 2 * LANES],
-}
+pub(crate) struct PlaneBlock([[i16; 16]; LANES / 4]);
 
 impl Default for PlaneBlock {
     fn default() -> Self {
-        Self { first: [0; 2 * LANES], second: [0; 2 * LANES] }
+        Self([[0; 16]; LANES / 4])
     }
 }
 
 impl PlaneBlock {
     pub(crate) fn set(&mut self, lane: usize, [x, y, z, offset]: [i16; 4]) {
-        self.first[2 * lane..][..2].copy_from_slice(&[x, y]);
-        self.second[2 * lane..][..2].copy_from_slice(&[z, offset]);
+        let (quad, place) = (&mut self.0[lane / 4], 2 * (lane % 4));
+        (quad[place], quad[place + 1], quad[place + 8], quad[place + 9]) = (x, y, z, offset);
     }
 }
 
@@ -139,15 +160,10 @@ pub(crate) struct PlaneTest {
 
 impl PlaneTest {
     pub(crate) fn new(viewpoint: &Viewpoint, frame: &Frame) -> Self {
-        let homogeneous = match *viewpoint {
-            Viewpoint::Perspective { eye } => frame.local(eye).extend(1.0),
-            Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3().extend(0.0),
-        };
-        let length = homogeneous.length();
-        if !(length > 0.0 && length.is_finite()) {
+        let Some(homogeneous) = homogeneous(viewpoint, frame) else {
             return Self { first: i16x8::ZERO, second: i16x8::ZERO, bound: i32::MAX };
-        }
-        let scaled = homogeneous * (SCALE / length);
+        };
+        let scaled = homogeneous * SCALE;
         let rounded = scaled.round();
         let residual = scaled - rounded;
         let bound = PLANE_ROUNDING * rounded.abs().element_sum()
@@ -173,10 +189,10 @@ impl PlaneTest {
     pub(crate) fn facings(&self, planes: &PlaneBlock) -> (u64, u64) {
         let (high, low) = (i32x4::splat(self.bound), i32x4::splat(-self.bound));
         let (mut front, mut back) = (0_u64, 0_u64);
-        let quads = planes.first.chunks_exact(8).zip(planes.second.chunks_exact(8));
-        for (quad, (first, second)) in quads.enumerate() {
-            let first = i16x8::from_slice_unaligned(first).dot(self.first);
-            let value = first + i16x8::from_slice_unaligned(second).dot(self.second);
+        for (quad, planes) in planes.0.iter().enumerate() {
+            let (first, second) = planes.split_at(8);
+            let value = i16x8::from_slice_unaligned(first).dot(self.first)
+                + i16x8::from_slice_unaligned(second).dot(self.second);
             front |= u64::from(value.simd_gt(high).to_bitmask()) << (4 * quad);
             back |= u64::from(value.simd_lt(low).to_bitmask()) << (4 * quad);
         }

@@ -2,7 +2,7 @@ use crate::scenes::prepare;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractsMovingEdges;
 use silhouette_core::{ExtractsEdges, Method, PreparedMesh, SilhouetteEdges, Viewpoint};
-use silhouette_extraction::BruteForceSimd;
+use silhouette_extraction::{BruteForceSimd, ClusterCones};
 use std::sync::Arc;
 
 fn orbit() -> Vec<Viewpoint> {
@@ -34,6 +34,7 @@ fn steady_allocations<M: Method + ExtractsEdges>(faces: &str, threads: usize) ->
 fn a_steady_call_allocates_nothing() {
     for (faces, threads) in [("blob:5000", 1), ("blob:300000", 1), ("blob:300000", 2)] {
         assert_eq!(steady_allocations::<BruteForceSimd>(faces, threads), 0, "{faces}, {threads} threads");
+        assert_eq!(steady_allocations::<ClusterCones>(faces, threads), 0, "{faces}, {threads} threads");
     }
 }
 

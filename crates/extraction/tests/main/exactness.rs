@@ -1,8 +1,9 @@
 use crate::scenes::{adversarial, prepare, soup, transformed, viewpoint, zoo};
 use proptest::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::method::ExtractionStats;
 use silhouette_core::{ExtractsEdges, Method, PreparedMesh, SilhouetteEdges, TriangleMesh, Viewpoint};
-use silhouette_extraction::{BruteForce, BruteForceSimd};
+use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones};
 use std::sync::Arc;
 
 /// Every exact method of the crate, and all views through the same instances, so that nothing may linger.
@@ -10,7 +11,9 @@ fn check(name: &str, mesh: TriangleMesh, views: &[Viewpoint]) {
     let mesh = Arc::new(PreparedMesh::new(mesh));
     let mut oracle: BruteForce = prepare(&mesh);
     let mut simd: BruteForceSimd = prepare(&mesh);
-    let methods: [(&str, &mut dyn ExtractsEdges); 1] = [(BruteForceSimd::INFO.name, &mut simd)];
+    let mut cones: ClusterCones = prepare(&mesh);
+    let methods: [(&str, &mut dyn ExtractsEdges); 2] =
+        [(BruteForceSimd::INFO.name, &mut simd), (ClusterCones::INFO.name, &mut cones)];
     let (mut expected, mut found) = (SilhouetteEdges::default(), SilhouetteEdges::default());
     for (method, extractor) in methods {
         for view in views {
@@ -98,19 +101,28 @@ proptest! {
     }
 }
 
-#[test]
-fn any_number_of_threads_gives_the_same_counters() {
-    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:300000").unwrap()));
+/// What `M` finds and counts on `threads` threads.
+fn extract<M: Method + ExtractsEdges>(mesh: &Arc<PreparedMesh>, threads: usize) -> (SilhouetteEdges, ExtractionStats) {
     let view = Viewpoint::Perspective { eye: Vec3::new(1.0, 2.0, 3.0) };
-    let run = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| {
-            let mut edges = SilhouetteEdges::default();
-            let stats = prepare::<BruteForceSimd>(&mesh).extract_edges(&view, &mut edges);
-            (edges, stats)
-        })
-    };
-    let (edges, stats) = run(1);
-    assert!(edges.len() > 1000 && stats.faces_tested > 300_000, "{stats:?}");
-    assert_eq!(run(3), (edges, stats));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        let mut edges = SilhouetteEdges::default();
+        let stats = prepare::<M>(mesh).extract_edges(&view, &mut edges);
+        (edges, stats)
+    })
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_edges_and_counters() {
+    let shape = || Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:300000").unwrap()));
+    let mesh = shape();
+    let all = extract::<BruteForceSimd>(&mesh, 1);
+    assert!(all.0.len() > 1000 && all.1.faces_tested > 300_000, "{:?}", all.1);
+    let some = extract::<ClusterCones>(&mesh, 1);
+    assert!(some.1.nodes_visited > 0 && some.1.faces_tested < 60_000, "{:?}", some.1);
+    assert_eq!(some.0, all.0);
+    // Built anew, so that the patches and the tree are compared as well.
+    let again = shape();
+    assert_eq!(extract::<BruteForceSimd>(&again, 3), all);
+    assert_eq!(extract::<ClusterCones>(&again, 3), some);
 }
