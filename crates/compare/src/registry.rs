@@ -215,4 +215,17 @@ mod tests {
             assert_eq!(yields, entry.yields, "{}", entry.info.name);
         }
     }
+
+    #[test]
+    fn preparation_asks_for_what_the_method_says_it_needs_and_no_more() {
+        for entry in all() {
+            let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("cube").unwrap()));
+            entry.prepare(&mesh, &OptionValues::defaults(entry.info.options), &NoProgress).unwrap();
+            let report = mesh.report();
+            let asked: BTreeSet<_> =
+                report.iter().filter(|a| a.asked_by.contains(entry.info.name)).map(|a| a.name).collect();
+            assert_eq!(asked, BTreeSet::from_iter(entry.info.needs.iter().copied()), "{}", entry.info.name);
+            assert!(!entry.info.needs.is_empty() || report.is_empty(), "{} needs triangles only", entry.info.name);
+        }
+    }
 }

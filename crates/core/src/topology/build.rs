@@ -62,7 +62,7 @@ const BLOCKS: usize = 1024;
 /// unrelated ids, three quarters of the lower vertices lie in the lower half of the ids.)
 fn vertex_ranges(triangles: &[[u32; 3]], vertices: usize, threads: usize) -> Vec<Range<u32>> {
     if threads < 2 || triangles.len() < BLOCKS {
-        return Vec::from([0..vertices as u32]);
+        return std::iter::once(0..vertices as u32).collect();
     }
     let block = vertices.div_ceil(BLOCKS);
     let count = |mut counts: Vec<usize>, triangles: &[[u32; 3]]| {
