@@ -13,9 +13,9 @@
 //! still close, but consecutive half-edges need not share a vertex.
 
 use crate::facing::FaceFacings;
-use crate::id::{HalfEdgeId, VertexId};
+use crate::id::{FaceId, HalfEdgeId, VertexId};
 use crate::mesh::TriangleMesh;
-use crate::silhouette::{SilhouetteEdges, is_silhouette_edge};
+use crate::silhouette::{SilhouetteEdges, is_silhouette_edge_where};
 use crate::topology::{Topology, Twin};
 
 /// Closed loops of silhouette half-edges, front face on the left, seen from the viewer's side of the surface.
@@ -83,18 +83,33 @@ impl LoopWalker {
         edges: &SilhouetteEdges,
         out: &mut SilhouetteLoops,
     ) {
+        self.walk_where(topology, |face| facings.is_front(face), edges, out);
+    }
+
+    /// [`walk`](Self::walk) for facings that are looked up, or found, one by one: only faces in the fans around
+    /// silhouette vertices are asked for, each several times.
+    ///
+    /// # Panics
+    /// If `edges` do not belong to `topology`, or are not all the silhouette edges of these facings.
+    pub fn walk_where(
+        &mut self,
+        topology: &Topology,
+        mut is_front: impl FnMut(FaceId) -> bool,
+        edges: &SilhouetteEdges,
+        out: &mut SilhouetteLoops,
+    ) {
         self.visited.resize(topology.half_edge_count().div_ceil(64), 0);
         out.half_edges.clear();
         out.ends.clear();
         for &start in edges.iter().flat_map(|edge| topology.half_edges(edge)) {
-            if !facings.is_front(start.face()) || self.is_visited(start) {
+            if !is_front(start.face()) || self.is_visited(start) {
                 continue;
             }
             let mut half_edge = start;
             loop {
                 self.visited[half_edge.index() / 64] |= 1 << (half_edge.index() % 64);
                 out.half_edges.push(half_edge);
-                half_edge = next_silhouette_half_edge(topology, facings, half_edge);
+                half_edge = next_silhouette_half_edge(topology, &mut is_front, half_edge);
                 if half_edge == start {
                     break;
                 }
@@ -116,15 +131,23 @@ impl LoopWalker {
     }
 }
 
-/// Pivots about the end vertex of a silhouette half-edge, inside the fan of front faces.
-fn next_silhouette_half_edge(topology: &Topology, facings: &FaceFacings, half_edge: HalfEdgeId) -> HalfEdgeId {
+/// The silhouette half-edge that follows another in its loop: pivots about the end vertex inside the fan of front faces.
+/// O(faces in the fan).
+///
+/// # Panics
+/// If `half_edge` is of another mesh. If it is no silhouette half-edge, the walk may not end.
+pub fn next_silhouette_half_edge(
+    topology: &Topology,
+    is_front: &mut impl FnMut(FaceId) -> bool,
+    half_edge: HalfEdgeId,
+) -> HalfEdgeId {
     let mut candidate = half_edge.next_in_face();
     loop {
         let across = match topology.twin(candidate) {
             Twin::Border => return candidate,
-            Twin::HalfEdge(twin) if facings.is_front(twin.face()) => twin,
+            Twin::HalfEdge(twin) if is_front(twin.face()) => twin,
             Twin::HalfEdge(_) => return candidate,
-            Twin::NonManifold if is_silhouette_edge(topology, facings, topology.edge_of(candidate)) => {
+            Twin::NonManifold if is_silhouette_edge_where(topology, &mut *is_front, topology.edge_of(candidate)) => {
                 return candidate;
             }
             Twin::NonManifold => next_around_edge(topology, candidate),

@@ -1,7 +1,7 @@
 //! The silhouette edges that follow from a facing.
 
 use crate::facing::FaceFacings;
-use crate::id::EdgeId;
+use crate::id::{EdgeId, FaceId};
 use crate::topology::Topology;
 
 /// Silhouette edges of one view, sorted by id.
@@ -16,12 +16,20 @@ pub struct SilhouetteEdges(Vec<EdgeId>);
 /// # Panics
 /// If the topology has no such edge, or `facings` is of another mesh.
 pub fn is_silhouette_edge(topology: &Topology, facings: &FaceFacings, edge: EdgeId) -> bool {
+    is_silhouette_edge_where(topology, |face| facings.is_front(face), edge)
+}
+
+/// [`is_silhouette_edge`] for facings that are looked up, or found, one by one.
+///
+/// # Panics
+/// If the topology has no such edge.
+pub fn is_silhouette_edge_where(topology: &Topology, mut is_front: impl FnMut(FaceId) -> bool, edge: EdgeId) -> bool {
     let half_edges = topology.half_edges(edge);
-    let first_is_front = facings.is_front(half_edges[0].face());
+    let first_is_front = is_front(half_edges[0].face());
     if half_edges.len() == 1 {
         return first_is_front;
     }
-    half_edges[1..].iter().any(|other| facings.is_front(other.face()) != first_is_front)
+    half_edges[1..].iter().any(|other| is_front(other.face()) != first_is_front)
 }
 
 impl SilhouetteEdges {

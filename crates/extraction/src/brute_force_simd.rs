@@ -18,6 +18,7 @@
 //! still exact and some fifteen times slower.
 
 use crate::edge_order::EdgeOrder;
+use crate::loop_scratch::LoopScratch;
 use crate::patches::{FacePatches, PatchPlanes};
 use crate::sweep::{Harvest, Sweep};
 use rayon::prelude::*;
@@ -27,8 +28,8 @@ use silhouette_core::method::{
 };
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh, VertexId,
-    Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceId, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops,
+    Topology, TriangleMesh, VertexId, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -46,6 +47,8 @@ pub struct BruteForceSimd {
     /// One a task.
     harvests: Vec<Harvest>,
     order: EdgeOrder,
+    topology: Arc<Topology>,
+    loops: LoopScratch,
 }
 
 #[derive(Debug, Clone)]
@@ -72,14 +75,22 @@ impl Method for BruteForceSimd {
         let patches = mesh.artefact::<FacePatches>(Self::INFO.name, progress)?;
         let harvests = vec![Harvest::default(); patches.len().div_ceil(PATCHES_PER_TASK)];
         let order = EdgeOrder::new(topology.edge_count());
-        Ok(Self { mesh: Arc::clone(mesh.mesh()), patches, moved: None, harvests, order })
+        Ok(Self {
+            mesh: Arc::clone(mesh.mesh()),
+            patches,
+            moved: None,
+            harvests,
+            order,
+            topology,
+            loops: LoopScratch::default(),
+        })
     }
 
     fn bytes(&self) -> usize {
         let harvests: usize = self.harvests.iter().map(Harvest::bytes).sum();
         let moved = self.moved.as_ref();
         let moved = moved.map_or(0, |moved| size_of_val(moved.positions.as_slice()) + moved.planes.bytes());
-        self.order.bytes() + harvests + moved
+        self.order.bytes() + self.loops.bytes() + harvests + moved
     }
 }
 
@@ -124,5 +135,17 @@ impl ExtractsMovingEdges for BruteForceSimd {
         moved.positions.extend_from_slice(positions);
         moved.planes.compute(&self.patches.layout, self.mesh.triangles(), positions);
         Ok(())
+    }
+}
+
+impl ExtractsLoops for BruteForceSimd {
+    fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats {
+        let mut loops = std::mem::take(&mut self.loops);
+        let mut stats = self.extract_edges(viewpoint, &mut loops.edges);
+        let positions = self.moved.as_ref().map_or(self.mesh.positions(), |moved| &moved.positions);
+        let corners = |face: FaceId| self.mesh.triangles()[face.index()].map(|vertex| positions[vertex as usize]);
+        loops.walk(&self.topology, corners, viewpoint, &mut stats, out);
+        self.loops = loops;
+        stats
     }
 }

@@ -4,7 +4,7 @@
 //! edges with anchored cones); D. Johnson, E. Cohen, "Spatialized Normal Cone Hierarchies", I3D 2001.
 //!
 //! 1. Edges are clustered by place and normal: the patches of [`FacePatches`], in the order of an 8-ary tree.
-//! 2. Each node bounds the planes of all faces at the edges below it ([`crate::cones`]).
+//! 2. Each node bounds the planes of all faces at the edges below it (`cones/`).
 //! 3. A view descends the tree level by level; a node whose faces all face one way is skipped with all its edges.
 //! 4. The patches that remain are evaluated as by [`BruteForceSimd`](crate::BruteForceSimd), exactly.
 //!
@@ -19,13 +19,15 @@
 
 use crate::cones::ConeTree;
 use crate::edge_order::EdgeOrder;
+use crate::loop_scratch::LoopScratch;
 use crate::patches::FacePatches;
 use crate::sweep::{Harvest, Sweep};
 use rayon::prelude::*;
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh, Viewpoint,
+    ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops,
+    Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -44,6 +46,8 @@ pub struct ClusterCones {
     /// One a task.
     harvests: Vec<Harvest>,
     order: EdgeOrder,
+    topology: Arc<Topology>,
+    loops: LoopScratch,
 }
 
 impl Method for ClusterCones {
@@ -71,12 +75,26 @@ impl Method for ClusterCones {
         let tree = ConeTree::new(mesh.mesh(), &patches.layout, &patches.planes);
         let harvests = vec![Harvest::default(); patches.len().div_ceil(PATCHES_PER_TASK)];
         let order = EdgeOrder::new(topology.edge_count());
-        Ok(Self { mesh: Arc::clone(mesh.mesh()), patches, tree, mixed: Vec::new(), queue: Vec::new(), harvests, order })
+        Ok(Self {
+            mesh: Arc::clone(mesh.mesh()),
+            patches,
+            tree,
+            mixed: Vec::new(),
+            queue: Vec::new(),
+            harvests,
+            order,
+            topology,
+            loops: LoopScratch::default(),
+        })
     }
 
     fn bytes(&self) -> usize {
         let scratch = size_of_val(self.mixed.as_slice()) + size_of_val(self.queue.as_slice());
-        self.tree.bytes() + scratch + self.order.bytes() + self.harvests.iter().map(Harvest::bytes).sum::<usize>()
+        self.tree.bytes()
+            + scratch
+            + self.order.bytes()
+            + self.loops.bytes()
+            + self.harvests.iter().map(Harvest::bytes).sum::<usize>()
     }
 }
 
@@ -102,6 +120,17 @@ impl ExtractsEdges for ClusterCones {
         let harvests = &self.harvests[..tasks];
         harvests.iter().for_each(|harvest| harvest.add_to(&mut stats));
         self.order.sort(harvests.iter().map(Harvest::edges), out);
+        stats
+    }
+}
+
+impl ExtractsLoops for ClusterCones {
+    fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats {
+        let mut loops = std::mem::take(&mut self.loops);
+        let mut stats = self.extract_edges(viewpoint, &mut loops.edges);
+        let corners = |face| self.mesh.corners(face);
+        loops.walk(&self.topology, corners, viewpoint, &mut stats, out);
+        self.loops = loops;
         stats
     }
 }

@@ -5,16 +5,23 @@
 //! | [`BruteForce`] | O(F + S log S) | you want the plainest code that is right: it is the oracle of all other methods |
 //! | [`BruteForceSimd`] | O(F + S), 10 bytes a face | the mesh moves, or is small, or a view is seen once |
 //! | [`ClusterCones`] | about O(sqrt F) | the mesh stays and is seen from many viewpoints |
+//! | [`Randomized`] | O(probes + S) | missing some small loops is a fair price for not looking at every face |
+//!
+//! All but the last are exact: they yield the same edges. [`FacePatches`] is the data that the second and third share.
 
-mod brute_force;
-mod brute_force_simd;
-mod cluster_cones;
+pub mod brute_force;
+pub mod brute_force_simd;
+pub mod cluster_cones;
 mod cones;
 mod edge_order;
+mod facing_memo;
+mod loop_scratch;
 mod patches;
+pub mod randomized;
 mod sweep;
 
 pub use brute_force::BruteForce;
 pub use brute_force_simd::BruteForceSimd;
 pub use cluster_cones::ClusterCones;
 pub use patches::FacePatches;
+pub use randomized::Randomized;

@@ -80,7 +80,7 @@ impl PlaneBound {
         };
         let count = planes().count().max(1) as f64;
         let anchor = (planes().map(|(_, point)| point).sum::<DVec3>() / count).as_vec3();
-        let normal = ball_center(planes().map(|(normal, _)| normal)).as_vec3();
+        let normal = ball_center(&planes().map(|(normal, _)| normal)).as_vec3();
         let (center, about) = (anchor.as_dvec3(), normal.as_dvec3());
         let (mut radius, mut low, mut high) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (normal, point) in planes() {
@@ -103,7 +103,7 @@ impl PlaneBound {
         let anchors = || bounds.iter().map(|bound| glam::Vec3::from(bound.anchor).as_dvec3());
         let normals = || bounds.iter().map(|bound| glam::Vec3::from(bound.normal).as_dvec3());
         let anchor = (anchors().sum::<DVec3>() / bounds.len().max(1) as f64).as_vec3();
-        let normal = ball_center(normals()).as_vec3();
+        let normal = ball_center(&normals()).as_vec3();
         let (mut radius, mut low, mut high) = (0.0_f64, 0.0_f64, 0.0_f64);
         for ((bound, its_anchor), its_normal) in bounds.iter().zip(anchors()).zip(normals()) {
             // n.(C - q) = n.(c - q) + n.(C - c), and n is in the ball about its own m.
@@ -131,7 +131,7 @@ impl PlaneBound {
 }
 
 /// A point from which the farthest of some points is hardly farther than need be.
-fn ball_center(points: impl Iterator<Item = DVec3> + Clone) -> DVec3 {
+fn ball_center<I: Iterator<Item = DVec3> + Clone>(points: &I) -> DVec3 {
     let count = points.clone().count().max(1) as f64;
     let mut center = points.clone().sum::<DVec3>() / count;
     for step in 0..BALL_STEPS {

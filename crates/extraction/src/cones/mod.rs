@@ -49,7 +49,7 @@ impl Siblings {
         let reach = self.radius * (x * x + y * y + z * z).sqrt();
         let front = (along + view.weight * self.low - reach).simd_gt(f32x8::splat(EVALUATION_ERROR));
         let back = (along + view.weight * self.high + reach).simd_lt(f32x8::splat(-EVALUATION_ERROR));
-        self.exist & !((front | back).to_bitmask() as u32)
+        self.exist & !(front | back).to_bitmask()
     }
 }
 

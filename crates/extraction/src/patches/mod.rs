@@ -83,7 +83,11 @@ pub(crate) struct PatchPlanes {
     lane_count: u64,
 }
 
-/// Faces and edges in self-contained patches. See the [module documentation](crate).
+/// Faces and edges in self-contained patches of 64 lanes: the artefact that `brute-force-simd` and `cluster-cones` share.
+///
+/// A patch holds 16-bit planes of its own faces and of those neighbours with which it shares an edge that it owns, so that
+/// 512 bytes and one word of facings decide all its edges. About 18 bytes an edge: 7 for planes, 3.5 for the faces of
+/// lanes, 7.5 for the table of edges (lanes and ids).
 #[derive(Debug)]
 pub struct FacePatches {
     pub(crate) layout: PatchLayout,

@@ -1,0 +1,109 @@
+use crate::scenes::{adversarial, prepare, soup, viewpoint, zoo};
+use proptest::prelude::*;
+use silhouette_core::glam::Vec3;
+use silhouette_core::method::OptionValues;
+use silhouette_core::{
+    ExtractsEdges, ExtractsLoops, Method, NoProgress, PreparedMesh, SilhouetteEdges, SilhouetteLoops, TriangleMesh,
+    Viewpoint,
+};
+use silhouette_extraction::{BruteForce, Randomized};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+fn randomized(mesh: &Arc<PreparedMesh>, words: &[&str]) -> Randomized {
+    let options = OptionValues::parse(Randomized::INFO.options, words.iter().copied()).unwrap();
+    Randomized::prepare(mesh, &options, &NoProgress).unwrap()
+}
+
+fn eye(x: f32, y: f32, z: f32) -> Viewpoint {
+    Viewpoint::Perspective { eye: Vec3::new(x, y, z) }
+}
+
+/// What is found are silhouette edges, and with one half-edge of a loop all of the loop.
+fn check(mesh: TriangleMesh, views: &[Viewpoint]) {
+    let mesh = Arc::new(PreparedMesh::new(mesh));
+    let mut oracle: BruteForce = prepare(&mesh);
+    let mut method = randomized(&mesh, &["probes=0.2"]);
+    let topology = mesh.artefact::<silhouette_core::Topology>("test", &NoProgress).unwrap();
+    let (mut found, mut all, mut loops) = <(SilhouetteEdges, SilhouetteEdges, SilhouetteLoops)>::default();
+    for view in views {
+        method.extract_edges(view, &mut found);
+        oracle.extract_edges(view, &mut all);
+        oracle.extract_loops(view, &mut loops);
+        assert!(found.iter().all(|edge| all.contains(edge)), "{view:?}");
+        let mut whole = BTreeSet::new();
+        for half_edges in loops.iter() {
+            let edges: Vec<_> = half_edges.iter().map(|&half_edge| topology.edge_of(half_edge)).collect();
+            if edges.iter().all(|&edge| found.contains(edge)) {
+                whole.extend(edges);
+            }
+        }
+        assert!(found.iter().eq(whole), "{view:?}");
+    }
+}
+
+#[test]
+fn loops_are_found_whole_or_not_at_all() {
+    for (_, mesh) in zoo() {
+        let views = adversarial(&mesh, 8);
+        check(mesh, &views);
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_soup(mesh in soup(), views in prop::collection::vec(viewpoint(), 1..8)) {
+        check(mesh, &views);
+    }
+}
+
+#[test]
+fn a_loop_once_found_is_followed_without_luck() {
+    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("icosphere:5").unwrap()));
+    // One probe a view: it takes many views to hit the outline, none to keep it.
+    let mut method = randomized(&mesh, &["probes=0.00001"]);
+    let (mut found, mut all) = (SilhouetteEdges::default(), SilhouetteEdges::default());
+    let mut oracle: BruteForce = prepare(&mesh);
+    let mut misses_before_first_hit = 0;
+    for frame in 0..2000_u16 {
+        let angle = f32::from(frame) * 1e-3;
+        let view = eye(3.0 * angle.cos(), 0.3, 3.0 * angle.sin());
+        method.extract_edges(&view, &mut found);
+        oracle.extract_edges(&view, &mut all);
+        if found.is_empty() && misses_before_first_hit == usize::from(frame) {
+            misses_before_first_hit += 1;
+        } else {
+            assert_eq!(found, all, "frame {frame}");
+        }
+    }
+    assert!((1..1000).contains(&misses_before_first_hit), "{misses_before_first_hit}");
+}
+
+#[test]
+fn the_seed_decides() {
+    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:20000").unwrap()));
+    let run = |seed: &str| {
+        let mut method = randomized(&mesh, &["probes=0.01", seed]);
+        let mut edges = SilhouetteEdges::default();
+        let views = [eye(3.0, 0.0, 0.0), eye(0.0, 3.0, 0.5), eye(0.0, -1.0, 3.0)];
+        views.map(|view| (method.extract_edges(&view, &mut edges), edges.clone()))
+    };
+    assert_eq!(run("seed=5"), run("seed=5"));
+    assert_ne!(run("seed=5").map(|view| view.0.faces_tested), run("seed=6").map(|view| view.0.faces_tested));
+}
+
+#[test]
+fn far_fewer_faces_are_looked_at() {
+    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:100000").unwrap()));
+    let mut method = randomized(&mesh, &[]);
+    let (mut found, mut all) = (SilhouetteEdges::default(), SilhouetteEdges::default());
+    let stats = method.extract_edges(&eye(3.0, 0.0, 0.0), &mut found);
+    prepare::<BruteForce>(&mesh).extract_edges(&eye(3.0, 0.0, 0.0), &mut all);
+    assert!(stats.faces_tested < 10_000, "{stats:?}");
+    assert!(
+        found.len() * 2 > all.len(),
+        "the outline itself is long enough to be hit: {} of {}",
+        found.len(),
+        all.len()
+    );
+}
