@@ -54,7 +54,12 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
             let pairs = |edge| topology.end_points(edge).map(silhouette_core::VertexId::get);
             let found = [edges.iter().map(pairs).collect::<Vec<_>>(), edges.boundary(&topology).map(pairs).collect()];
             let expected = naive(&integers, triangles, viewpoint.map(i128::from), is_point);
-            assert_eq!(found, expected, "{} {view:?}", entry.info.name);
+            if entry.info.exact {
+                assert_eq!(found, expected, "{} {view:?}", entry.info.name);
+            } else {
+                let no_others = found.iter().zip(&expected).all(|(f, e)| f.iter().all(|edge| e.contains(edge)));
+                assert!(no_others, "{} {view:?}: {found:?} is no part of {expected:?}", entry.info.name);
+            }
         }
     }
 }

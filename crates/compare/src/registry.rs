@@ -3,15 +3,20 @@
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, Viewpoint};
-use silhouette_extraction::{BruteForce, BruteForceSimd};
+use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_gpu::{DrawsLines, LineRenderer, MeshTooLarge, PenPlacement, TargetFormats};
 use silhouette_image_precision::ImagePrecision;
 use silhouette_render::Gpu;
 use std::sync::Arc;
 
 /// Every method, in the order in which they are listed and compared.
-static ENTRIES: [Entry; 3] =
-    [Entry::loops::<BruteForce>(), Entry::edges::<BruteForceSimd>(), Entry::lines::<ImagePrecision>()];
+static ENTRIES: [Entry; 5] = [
+    Entry::loops::<BruteForce>(),
+    Entry::loops::<BruteForceSimd>(),
+    Entry::loops::<ClusterCones>(),
+    Entry::edges::<Randomized>(),
+    Entry::lines::<ImagePrecision>(),
+];
 
 /// The baseline: speeds are stated as ratios to it.
 pub const BASELINE: &str = BruteForce::INFO.name;

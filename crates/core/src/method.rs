@@ -47,6 +47,8 @@ pub struct MethodInfo {
     pub summary: &'static str,
     /// Where it was published.
     pub source: Source,
+    /// Whether it always yields all silhouette edges and no others. Where not, what it misses is measured, not promised.
+    pub exact: bool,
     /// Names of the artefacts ([`Artefact::NAME`](crate::prepared::Artefact::NAME)) that its preparation asks for,
     /// sorted. Empty: positions and triangles are enough.
     pub needs: &'static [&'static str],

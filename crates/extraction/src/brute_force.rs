@@ -39,6 +39,7 @@ impl Method for BruteForce {
         name: "brute-force",
         summary: "Classifies every face, then tests every edge of the front ones; one thread, the oracle of all others.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
+        exact: true,
         needs: &[Topology::NAME],
         options: &[],
     };

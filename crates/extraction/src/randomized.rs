@@ -58,6 +58,7 @@ impl Method for Randomized {
             venue: "SIGGRAPH",
             year: 1997,
         },
+        exact: false,
         needs: &[Topology::NAME],
         options: &[
             OptionSpec {

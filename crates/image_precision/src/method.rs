@@ -38,6 +38,7 @@ impl Method for ImagePrecision {
             venue: "Symposium on Interactive 3D Graphics",
             year: 1999,
         },
+        exact: false,
         needs: &[],
         options: &[SCALE, EYE_INSIDE],
     };
