@@ -54,6 +54,14 @@ impl Orbit {
             .collect()
     }
 
+    /// Eyes of `views` views spread over a whole turn, `distance_radii` radii of the bounding sphere from its centre: for
+    /// timing extraction, which knows no viewport. O(views).
+    pub fn eyes(bounds: &Bounds, views: u32, distance_radii: f64) -> Vec<Vec3> {
+        let orbit = Self::turn(Framing::Orthographic, [1, 1], views);
+        let eye = |view| bounds.center + orbit.direction(view) * (distance_radii * bounds.radius);
+        (0..views).map(|view| eye(view).as_vec3()).collect()
+    }
+
     /// From the mesh towards the viewer.
     fn direction(&self, view: u32) -> DVec3 {
         let azimuth = FIRST_AZIMUTH_RAD + self.step_rad * f64::from(view);
@@ -82,6 +90,18 @@ mod tests {
                     assert!(x.min(y).min(z) > 1e-3, "{camera:?}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn eyes_keep_their_distance_and_the_direction_of_cameras() {
+        let bounds = Bounds { center: DVec3::new(1.0, 2.0, 3.0), ..BOUNDS };
+        let eyes = Orbit::eyes(&bounds, 8, 3.0);
+        let cameras = Orbit::turn(Framing::Orthographic, [64, 64], 8).cameras(&bounds).unwrap();
+        assert_eq!(eyes.len(), 8);
+        for (eye, camera) in eyes.iter().zip(cameras) {
+            let [offset, seen] = [*eye, camera.eye()].map(|eye| eye.as_dvec3() - bounds.center);
+            assert!((offset.length() - 3.0 * bounds.radius).abs() < 1e-5 && offset.angle_between(seen) < 1e-5);
         }
     }
 

@@ -9,7 +9,8 @@
 //! 4. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames.
 //! 5. [`runner`]: methods x meshes x views; yields [`record`]s. [`machine`]: where they were made.
 //! 6. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
-//! 7. [`report`]: files for people and programs.
+//! 7. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
+//! 8. [`report`]: files for people and programs.
 //!
 //! [`reproduce`] sets figures that papers print beside ours.
 //!
@@ -41,6 +42,7 @@ pub mod registry;
 pub mod report;
 pub mod reproduce;
 pub mod runner;
+pub mod scaling;
 pub mod truth;
 
 pub use drawing::{FrameStyle, render_method};

@@ -43,15 +43,16 @@ pub struct AdapterRecord {
 impl RunDescription {
     /// This process on this machine, drawing with `adapter`.
     pub fn of_this_process(adapter: &AdapterDescription) -> Self {
+        let MachineFacts { cpu, threads, system } = MachineFacts::of_this_machine();
         let build = if cfg!(debug_assertions) { "debug" } else { "release" };
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             commit: env!("SILHOUETTES_COMMIT").to_owned(),
             rustc: env!("SILHOUETTES_RUSTC").to_owned(),
             build: build.to_owned(),
-            cpu: cpu_model(&read("/proc/cpuinfo")).unwrap_or("unknown").to_owned(),
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
-            system: system_name(&read("/etc/os-release")),
+            cpu,
+            threads,
+            system,
             adapter: AdapterRecord {
                 name: adapter.name.clone(),
                 driver: adapter.driver.clone(),
@@ -79,6 +80,29 @@ impl RunDescription {
             ),
             ("Compiler", or_unknown(&self.rustc)),
         ]
+    }
+}
+
+/// This machine in one line, for results that no adapter has a part in: processor, hardware threads, system.
+pub fn describe_machine() -> String {
+    let MachineFacts { cpu, threads, system } = MachineFacts::of_this_machine();
+    format!("{cpu}, {threads} threads, {system}")
+}
+
+/// What is known without an adapter.
+struct MachineFacts {
+    cpu: String,
+    threads: usize,
+    system: String,
+}
+
+impl MachineFacts {
+    fn of_this_machine() -> Self {
+        Self {
+            cpu: cpu_model(&read("/proc/cpuinfo")).unwrap_or("unknown").to_owned(),
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            system: system_name(&read("/etc/os-release")),
+        }
     }
 }
 
