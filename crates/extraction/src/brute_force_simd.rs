@@ -62,6 +62,7 @@ impl Method for BruteForceSimd {
         name: "brute-force-simd",
         summary: "Classifies every face, 64 at a time from 16-bit planes, and tests edges only where facings differ; exact.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
+        exact: true,
         needs: &[FacePatches::NAME, Topology::NAME],
         options: &[],
     };
@@ -105,9 +106,7 @@ impl ExtractsEdges for BruteForceSimd {
         let work = |(task, harvest): (usize, &mut Harvest)| {
             harvest.clear();
             let first = task * PATCHES_PER_TASK;
-            for patch in first..patches.min(first + PATCHES_PER_TASK) {
-                sweep.visit(patch, harvest);
-            }
+            sweep.visit(first..patches.min(first + PATCHES_PER_TASK), harvest);
         };
         match &mut self.harvests[..] {
             [only] => work((0, only)),

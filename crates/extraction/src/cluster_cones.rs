@@ -60,6 +60,7 @@ impl Method for ClusterCones {
             venue: "SIGGRAPH",
             year: 2000,
         },
+        exact: true,
         needs: &[FacePatches::NAME, Topology::NAME],
         options: &[],
     };
@@ -106,10 +107,10 @@ impl ExtractsEdges for ClusterCones {
         let tasks = self.mixed.len().div_ceil(PATCHES_PER_TASK);
         let work = |(patches, harvest): (&[u32], &mut Harvest)| {
             harvest.clear();
-            for &patch in patches {
-                harvest.stats.faces_tested += u64::from(planes.open[patch as usize].count_ones());
-                sweep.visit(patch as usize, harvest);
-            }
+            let patches = patches.iter().map(|&patch| patch as usize);
+            let lanes = patches.clone().map(|patch| u64::from(planes.open[patch].count_ones()));
+            harvest.stats.faces_tested = lanes.sum();
+            sweep.visit(patches, harvest);
         };
         match &mut self.harvests[..tasks] {
             [] => {}
