@@ -7,6 +7,7 @@ use silhouette_core::facing::{Facing, judge};
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractionStats;
 use silhouette_core::{TriangleMesh, Viewpoint};
+use std::hint::black_box;
 
 /// One view of a patched mesh.
 #[derive(Clone, Copy)]
@@ -96,6 +97,21 @@ impl<'a> Sweep<'a> {
             let OpenPatch { patch, facings, .. } = harvest.open_patches[index];
             self.test_edges(patch, facings, harvest);
         }
+    }
+
+    /// Reads what visits to these patches will read, without doing anything with it. Nothing here depends on anything, so
+    /// the misses of all patches overlap, where a visit would wait for those of its own patch.
+    pub(crate) fn touch(&self, patches: impl Iterator<Item = usize> + Clone) {
+        let mut sum = 0;
+        for patch in patches.clone() {
+            sum ^= self.planes.blocks[patch].touch() ^ self.planes.open[patch] ^ self.layout.head(patch).used;
+        }
+        for patch in patches {
+            for (pairs, ids) in self.layout.blocks(patch) {
+                sum ^= u64::from(pairs.touch()) ^ u64::from(ids[0] ^ ids[PAIRS / 2]);
+            }
+        }
+        black_box(sum);
     }
 
     #[inline(always)]

@@ -150,6 +150,13 @@ impl PlaneBlock {
     }
 }
 
+impl PlaneBlock {
+    /// Something from every cache line.
+    pub(crate) fn touch(&self) -> u64 {
+        self.0.iter().step_by(2).fold(0, |bits, quads| bits ^ quads[0] as u64)
+    }
+}
+
 /// A viewpoint in integers and the bound that goes with it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlaneTest {
