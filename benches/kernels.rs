@@ -68,7 +68,7 @@ fn topology(criterion: &mut Criterion) {
         assert_eq!(Topology::new(&mesh).edge_count(), keys.len());
         group.throughput(Throughput::Elements(mesh.face_count() as u64));
         group.bench_function(BenchmarkId::new("build", &name), |bencher| {
-            bencher.iter(|| Topology::new(black_box(&mesh)))
+            bencher.iter(|| Topology::new(black_box(&mesh)));
         });
         let keys = edge_keys(&mesh);
         group.bench_function(BenchmarkId::new("sort-keys-only", &name), |bencher| {

@@ -44,12 +44,11 @@ impl RunDescription {
     /// This process on this machine, drawing with `adapter`.
     pub fn of_this_process(adapter: &AdapterDescription) -> Self {
         let MachineFacts { cpu, threads, system } = MachineFacts::of_this_machine();
-        let build = if cfg!(debug_assertions) { "debug" } else { "release" };
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             commit: env!("SILHOUETTES_COMMIT").to_owned(),
             rustc: env!("SILHOUETTES_RUSTC").to_owned(),
-            build: build.to_owned(),
+            build: BUILD.to_owned(),
             cpu,
             threads,
             system,
@@ -88,6 +87,17 @@ pub fn describe_machine() -> String {
     let MachineFacts { cpu, threads, system } = MachineFacts::of_this_machine();
     format!("{cpu}, {threads} threads, {system}")
 }
+
+/// This program in one line: version, build, commit where it is known, compiler.
+pub fn describe_program() -> String {
+    let [version, commit, rustc] =
+        [env!("CARGO_PKG_VERSION"), env!("SILHOUETTES_COMMIT"), env!("SILHOUETTES_RUSTC")].map(str::to_owned);
+    let commit = if commit.is_empty() { commit } else { format!(", commit {commit}") };
+    format!("silhouettes {version}, {BUILD} build{commit}, {rustc}")
+}
+
+/// Whether assertions are on.
+const BUILD: &str = if cfg!(debug_assertions) { "debug" } else { "release" };
 
 /// What is known without an adapter.
 struct MachineFacts {

@@ -13,6 +13,7 @@ mod directory;
 mod page;
 mod summary;
 
+pub use chart::COLORS;
 pub use directory::{MARKER, check_target};
 pub use summary::{CellSummary, MeshSummary, summarise};
 
