@@ -112,7 +112,7 @@ fn edge_silhouettes_of_a_sphere_stay_too_long() {
 fn front_faces_have_negative_solid_angles() {
     let mesh = by_name("gear").unwrap();
     for (scale, total) in [(5.0, 0.0), (0.6, 4.0 * PI)] {
-        let eye = glam::Vec3::new(0.73, 0.011, 0.0) * scale;
+        let eye = Vec3::new(0.73, 0.011, 0.0) * scale;
         let seen = zoo::look(&mesh, &Viewpoint::Perspective { eye });
         let mut sum = 0.0;
         for face in (0..mesh.face_count()).map(FaceId::from_usize) {

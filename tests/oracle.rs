@@ -5,7 +5,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 use silhouette_compare::registry::{self, Prepared};
 use silhouette_core::method::OptionValues;
-use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, VertexId, Viewpoint};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
             };
             let mut edges = SilhouetteEdges::default();
             method.extract_edges(&view, &mut edges);
-            let pairs = |edge| topology.end_points(edge).map(silhouette_core::VertexId::get);
+            let pairs = |edge| topology.end_points(edge).map(VertexId::get);
             let found = [edges.iter().map(pairs).collect::<Vec<_>>(), edges.boundary(&topology).map(pairs).collect()];
             let expected = naive(&integers, triangles, viewpoint.map(i128::from), is_point);
             if entry.info.exact {
