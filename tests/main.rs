@@ -2,6 +2,7 @@
 
 mod analytic;
 mod cut_sets;
+mod exactness;
 mod measures;
 mod oracle;
 mod tidy;

@@ -32,14 +32,31 @@ pub fn look(mesh: &TriangleMesh, viewpoint: &Viewpoint) -> Seen {
     Seen { topology, facings, edges, loops }
 }
 
+/// Reproducible random numbers: a linear congruential generator, of which the high bits are used.
+pub struct Random(pub u64);
+
+impl Random {
+    /// A number between -1 and 1.
+    pub fn signed(&mut self) -> f32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
+    }
+
+    /// A number from 0 to one below `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        ((f64::from(self.signed()) * 0.5 + 0.5) * count as f64) as usize % count
+    }
+
+    /// A point in the cube from -1 to 1.
+    pub fn vector(&mut self) -> Vec3 {
+        Vec3::new(self.signed(), self.signed(), self.signed())
+    }
+}
+
 /// Moves every vertex by up to `amount`, differently for each `seed`.
 pub fn shaken(mesh: &TriangleMesh, amount: f32, seed: u64) -> TriangleMesh {
-    let mut state = seed;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
-    };
-    let positions = mesh.positions().iter().map(|&p| p + Vec3::new(random(), random(), random()) * amount).collect();
+    let mut random = Random(seed);
+    let positions = mesh.positions().iter().map(|&p| p + random.vector() * amount).collect();
     TriangleMesh::new(positions, mesh.triangles().to_vec()).unwrap()
 }
 

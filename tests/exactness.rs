@@ -1,0 +1,161 @@
+//! Every exact extractor against integers without limit: ten thousand random and a thousand adversarial viewpoints, tiny
+//! to huge meshes, far from the origin.
+
+use crate::zoo::{self, Random};
+use glam::Vec3;
+use num_bigint::{BigInt, Sign};
+use silhouette_compare::registry::{self, EdgeMethod, Prepared};
+use silhouette_core::method::OptionValues;
+use silhouette_core::shapes::by_name;
+use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
+use std::sync::Arc;
+
+const RANDOM_VIEWS: usize = 10_000;
+const ADVERSARIAL_VIEWS: usize = 1_000;
+
+type Point = [BigInt; 3];
+
+/// A 32-bit float in units of the smallest one, without rounding.
+fn integer(x: f32) -> BigInt {
+    let bits = x.to_bits();
+    let exponent = (bits >> 23) & 0xff;
+    let fraction = bits & 0x7f_ffff;
+    let magnitude =
+        if exponent == 0 { BigInt::from(fraction) } else { BigInt::from(fraction | 0x80_0000) << (exponent - 1) };
+    if x.is_sign_negative() { -magnitude } else { magnitude }
+}
+
+fn point(p: Vec3) -> Point {
+    p.to_array().map(integer)
+}
+
+fn sub(a: &Point, b: &Point) -> Point {
+    std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+fn cross(a: &Point, b: &Point) -> Point {
+    std::array::from_fn(|i| &a[(i + 1) % 3] * &b[(i + 2) % 3] - &a[(i + 2) % 3] * &b[(i + 1) % 3])
+}
+
+/// A mesh with what its silhouettes follow from, in integers.
+struct Case {
+    mesh: TriangleMesh,
+    topology: Arc<Topology>,
+    /// Normal and first corner of each face.
+    planes: Vec<(Point, Point)>,
+    methods: Vec<(&'static str, Box<dyn EdgeMethod>)>,
+}
+
+impl Case {
+    fn new(mesh: TriangleMesh) -> Self {
+        let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
+        let planes = mesh.triangles().iter().map(|triangle| {
+            let [a, b, c] = triangle.map(|vertex| point(mesh.positions()[vertex as usize]));
+            (cross(&sub(&b, &a), &sub(&c, &a)), a)
+        });
+        let methods = registry::all().iter().filter(|entry| entry.info.exact).map(|entry| {
+            let options = OptionValues::defaults(entry.info.options);
+            match entry.prepare(&prepared, &options, &NoProgress).unwrap() {
+                Prepared::Edges(method) => (entry.info.name, method),
+                Prepared::Lines(_) => panic!("{} is exact, so it yields edges", entry.info.name),
+            }
+        });
+        let (planes, methods) = (planes.collect(), methods.collect());
+        Self { topology: prepared.artefact("exactness", &NoProgress).unwrap(), mesh, planes, methods }
+    }
+
+    /// The silhouette edges, by integers alone.
+    fn expected(&self, viewpoint: &Viewpoint) -> SilhouetteEdges {
+        let front = self.planes.iter().map(|(normal, corner)| {
+            let toward_viewer = match *viewpoint {
+                Viewpoint::Perspective { eye } => sub(&point(eye), corner),
+                Viewpoint::Orthographic { toward_viewer } => point(toward_viewer),
+            };
+            let side: BigInt = normal.iter().zip(&toward_viewer).map(|(a, b)| a * b).sum();
+            side.sign() == Sign::Plus
+        });
+        let front: Vec<bool> = front.collect();
+        let mut edges = SilhouetteEdges::default();
+        edges.refill(self.topology.edges().ids().filter(|&edge| {
+            let sides: Vec<_> = self.topology.faces(edge).map(|face| front[face.index()]).collect();
+            if let [side] = sides[..] { side } else { sides.contains(&true) && sides.contains(&false) }
+        }));
+        edges
+    }
+
+    /// Number of edges on which methods and integers differ, over both kinds of view towards `eye`.
+    fn differing(&mut self, eye: Vec3) -> usize {
+        let views = [Viewpoint::Perspective { eye }, Viewpoint::Orthographic { toward_viewer: eye }];
+        views.iter().map(|viewpoint| self.differing_in(viewpoint)).sum()
+    }
+
+    fn differing_in(&mut self, viewpoint: &Viewpoint) -> usize {
+        let expected = self.expected(viewpoint);
+        let mut found = SilhouetteEdges::default();
+        let mut differing = 0;
+        for (_, method) in &mut self.methods {
+            method.extract_edges(viewpoint, &mut found);
+            differing += expected.iter().filter(|&edge| !found.contains(edge)).count();
+            differing += found.iter().filter(|&edge| !expected.contains(edge)).count();
+        }
+        differing
+    }
+}
+
+/// Closed, open, flat-sided and one-sided meshes, each tiny, of unit size, huge, and far from the origin.
+fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for name in ["icosphere:2", "gear:5", "cube", "moebius:24,2", "blob:300"] {
+        let mesh = by_name(name).unwrap();
+        for (scale, offset) in [(1.0, 0.0), (1e-9, 0.0), (1e9, 0.0), (1.0, 1e3), (1.0, 1e6)] {
+            let moved = mesh.positions().iter().map(|&p| p * scale + Vec3::new(offset, -offset, offset)).collect();
+            cases.push(Case::new(TriangleMesh::new(moved, mesh.triangles().to_vec()).unwrap()));
+        }
+    }
+    cases
+}
+
+#[test]
+fn random_viewpoints() {
+    let (mut cases, mut random) = (cases(), Random(1));
+    for view in 0..RANDOM_VIEWS {
+        let count = cases.len();
+        let case = &mut cases[view % count];
+        let bounds = case.mesh.bounds().unwrap();
+        let reach = [0.7, 1.5, 6.0, 1e4][view / count % 4] * bounds.radius as f32;
+        let eye = bounds.center.as_vec3() + random.vector() * reach;
+        assert_eq!(case.differing(eye), 0, "view {view}: eye {eye}");
+    }
+}
+
+#[test]
+fn adversarial_viewpoints() {
+    let (mut cases, mut random) = (cases(), Random(1));
+    for view in 0..ADVERSARIAL_VIEWS {
+        let count = cases.len();
+        let case = &mut cases[view % count];
+        let triangle = case.mesh.triangles()[random.below(case.mesh.face_count())];
+        let [a, b, c] = triangle.map(|vertex| case.mesh.positions()[vertex as usize]);
+        let eye = match view / count % 5 {
+            0 => a,
+            1 => (a + b) * 0.5,
+            2 => a + (b - a) * (2.0 * random.signed()) + (c - a) * (2.0 * random.signed()),
+            3 => b + (c - a),
+            _ => case.mesh.bounds().unwrap().center.as_vec3() + random.vector() * (0.01 * a.length()),
+        };
+        assert_eq!(case.differing(eye), 0, "view {view}: eye {eye}");
+    }
+}
+
+/// The integers notice an eye moved by one bit across a face, so the tests above can fail.
+#[test]
+fn integers_tell_neighbouring_floats_apart() {
+    let mut case = Case::new(by_name("cube").unwrap());
+    let top = case.mesh.bounds().unwrap().max.y as f32;
+    let eye = |y: f32| Vec3::new(0.1, y, 0.2);
+    let above = f32::from_bits(top.to_bits() + 1);
+    assert_eq!(case.differing(eye(top)) + case.differing(eye(above)), 0);
+    let edges = |y| case.expected(&Viewpoint::Perspective { eye: eye(y) });
+    assert_ne!(edges(top), edges(above));
+    assert_eq!(zoo::look(&case.mesh, &Viewpoint::Perspective { eye: eye(above) }).edges, edges(above));
+}
