@@ -43,6 +43,7 @@ pub enum Command {
     #[command(after_help = "Examples:\n  \
         silhouettes compare bunny.obj -o out/bunny\n  \
         silhouettes compare bunny.obj fandisk.obj --methods brute-force,image-precision --profile quick -o out/two\n  \
+        silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
         silhouettes compare -o out/builtin")]
     Compare(CompareArguments),
 }
@@ -126,6 +127,9 @@ pub struct CompareArguments {
     /// How much to measure
     #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
     pub profile: ProfileArgument,
+    /// Extraction timings of other tools for the report, as benches/peers writes them; may be given several times
+    #[arg(long, value_name = "FILE.jsonl")]
+    pub peers: Vec<PathBuf>,
     /// Folder for the report; made, or replaced where it holds an earlier report
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,

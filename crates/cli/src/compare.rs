@@ -7,6 +7,7 @@ use crate::progress::TerminalProgress;
 use silhouette_compare::record::Profile;
 use silhouette_compare::registry;
 use silhouette_compare::runner::{CompareConfig, CompareError, MethodChoice};
+use silhouette_compare::scaling::read_rows;
 use silhouette_compare::{report, run as run_comparison};
 use silhouette_core::method::OptionValues;
 use silhouette_render::{AdapterChoice, Gpu};
@@ -24,12 +25,17 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         config.methods = arguments.methods.iter().map(|name| choice(name)).collect::<Result<_, _>>()?;
     }
     report::check_target(&arguments.output).map_err(Failure::input)?;
+    let mut peers = Vec::new();
+    for path in &arguments.peers {
+        peers.extend(read_rows(path).map_err(Failure::input)?);
+    }
     let progress = TerminalProgress::new();
     let defaults = DEFAULT_MESHES.map(str::to_owned);
     let named = if arguments.meshes.is_empty() { &defaults[..] } else { &arguments.meshes[..] };
     let meshes = named.iter().map(|mesh| input::mesh(mesh, &progress)).collect::<Result<Vec<_>, _>>()?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;
-    let comparison = run_comparison(&config, &meshes, &gpu, &progress).map_err(failure)?;
+    let mut comparison = run_comparison(&config, &meshes, &gpu, &progress).map_err(failure)?;
+    comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
     Ok(())
 }

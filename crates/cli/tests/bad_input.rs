@@ -181,5 +181,9 @@ fn arguments() {
         refused(&["render", &mesh, "--method", "image-precision", "--set", "scale=0", "-o", "x.png"]).contains("scale")
     );
     assert!(refused(&["compare", "--methods", "none", "-o", "x"]).contains("none"));
+    let rows = folder.file("rows.jsonl", "\n{}\n");
+    let line = refused(&["compare", &mesh, "--peers", &rows, "-o", folder.path("report").to_str().unwrap()]);
+    assert!(line.contains("rows.jsonl: line 2: missing field"), "{line}");
+    assert!(refused(&["compare", &mesh, "--peers", "missing.jsonl", "-o", "x"]).contains("missing.jsonl"));
     assert!(refused(&["bake", &mesh]).contains("bake"));
 }

@@ -61,6 +61,8 @@ pub struct Counters {
     pub faces_tested: f64,
     /// Edge tests.
     pub edges_tested: f64,
+    /// Nodes of a hierarchy whose bounds were evaluated.
+    pub nodes_visited: f64,
     /// Faces decided by exact arithmetic.
     pub exact_fallbacks: f64,
 }
@@ -110,6 +112,7 @@ fn mean_counters(frames: &[FrameSample]) -> Option<Counters> {
     (!stats.is_empty()).then(|| Counters {
         faces_tested: mean(|stats| stats.faces_tested),
         edges_tested: mean(|stats| stats.edges_tested),
+        nodes_visited: mean(|stats| stats.nodes_visited),
         exact_fallbacks: mean(|stats| stats.exact_fallbacks),
     })
 }

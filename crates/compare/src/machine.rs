@@ -84,8 +84,7 @@ impl RunDescription {
 
 /// This machine in one line, for results that no adapter has a part in: processor, hardware threads, system.
 pub fn describe_machine() -> String {
-    let MachineFacts { cpu, threads, system } = MachineFacts::of_this_machine();
-    format!("{cpu}, {threads} threads, {system}")
+    MachineFacts::of_this_machine().to_string()
 }
 
 /// This program in one line: version, build, commit where it is known, compiler.
@@ -100,10 +99,17 @@ pub fn describe_program() -> String {
 const BUILD: &str = if cfg!(debug_assertions) { "debug" } else { "release" };
 
 /// What is known without an adapter.
-struct MachineFacts {
-    cpu: String,
-    threads: usize,
-    system: String,
+pub(crate) struct MachineFacts {
+    pub cpu: String,
+    pub threads: usize,
+    pub system: String,
+}
+
+impl std::fmt::Display for MachineFacts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { cpu, threads, system } = self;
+        write!(f, "{cpu}, {threads} threads, {system}")
+    }
 }
 
 impl MachineFacts {

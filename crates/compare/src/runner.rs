@@ -14,6 +14,7 @@ use crate::drawing::DrawError;
 use crate::machine::RunDescription;
 use crate::record::{Profile, Record};
 use crate::registry::{self, Entry};
+use crate::scaling::ExtractionRow;
 use crate::truth::pen::TruthError;
 use bench::Bench;
 use silhouette_core::method::{OptionValues, PrepareError};
@@ -157,6 +158,8 @@ pub struct Comparison {
     pub records: Vec<Record>,
     /// One set of pictures a mesh and method, in this order.
     pub pictures: Vec<PictureSet>,
+    /// Extraction timings of other tools or other runs, for the report; [`run`] leaves it empty.
+    pub peers: Vec<ExtractionRow>,
 }
 
 /// Pictures of one view.
@@ -196,6 +199,7 @@ pub fn run(
         methods: config.methods.iter().map(|choice| choice.entry).collect(),
         records: Vec::new(),
         pictures: Vec::new(),
+        peers: Vec::new(),
     };
     for mesh in meshes {
         let mut bench = Bench::new(config, mesh, gpu, progress)?;

@@ -5,11 +5,13 @@
 //! | `index.html` | charts, pictures and tables for people; asks nothing of the network |
 //! | `results.jsonl` | one full [`Record`] a line |
 //! | `results.csv` | the same, flat |
+//! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`] a line |
 //! | `images/*.png` | what each method drew, the truth, the difference |
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
 mod chart;
 mod directory;
+mod extraction_chart;
 mod page;
 mod summary;
 
@@ -19,6 +21,7 @@ pub use summary::{CellSummary, MeshSummary, summarise};
 
 use crate::record::Record;
 use crate::runner::{Comparison, PictureSet};
+use crate::scaling::{ExtractionRow, rows_of_records, write_rows};
 use directory::StagedDirectory;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -78,12 +81,14 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     let mut staged = StagedDirectory::begin(directory)?;
     write_jsonl(&comparison.records, &staged.file("results.jsonl")?)?;
     write_csv(&comparison.records, &staged.file("results.csv")?)?;
+    let extractions = [rows_of_records(&comparison.records), comparison.peers.clone()].concat();
+    write_extractions(&extractions, &staged.file("extraction.jsonl")?)?;
     for (index, set) in comparison.pictures.iter().enumerate() {
         for (name, picture) in picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
             picture.save_png(&staged.file(name)?)?;
         }
     }
-    let page = page::render(comparison)?;
+    let page = page::render(comparison, &extractions)?;
     let path = staged.file("index.html")?;
     std::fs::write(&path, page).map_err(|source| ReportError::Io { path, source })?;
     staged.commit()?;
@@ -105,6 +110,12 @@ fn write_jsonl(records: &[Record], path: &Path) -> Result<(), ReportError> {
     out.flush().map_err(failed)
 }
 
+fn write_extractions(rows: &[ExtractionRow], path: &Path) -> Result<(), ReportError> {
+    let file = std::fs::File::create(path);
+    let written = file.and_then(|file| write_rows(rows, BufWriter::new(file)));
+    written.map_err(|source| ReportError::Io { path: path.to_owned(), source })
+}
+
 fn write_csv(records: &[Record], path: &Path) -> Result<(), ReportError> {
     let failed = |source| ReportError::Table { path: path.to_owned(), source };
     let mut out = csv::Writer::from_path(path).map_err(failed)?;
@@ -119,6 +130,7 @@ fn write_csv(records: &[Record], path: &Path) -> Result<(), ReportError> {
 mod tests {
     use super::*;
     use crate::record::{Profile, tests as sample};
+    use crate::scaling::{read_rows, row};
     use silhouette_render::Image;
 
     /// A comparison on a mesh whose name would break out of a page, a script or a table.
@@ -143,6 +155,7 @@ mod tests {
                 sample::record(mesh, "image-precision", 2.0, 0.5),
             ],
             pictures: vec![set("brute-force"), set("image-precision")],
+            peers: (1..=4).map(|step| row("<b>peer", "m", mesh, step * 100, step as f64)).collect(),
         }
     }
 
@@ -155,6 +168,9 @@ mod tests {
         let lines = std::fs::read_to_string(folder.join("results.jsonl")).unwrap();
         let records: Vec<Record> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
         assert_eq!(records, comparison.records);
+        let extractions = read_rows(&folder.join("extraction.jsonl")).unwrap();
+        assert_eq!(extractions[..2], rows_of_records(&comparison.records));
+        assert_eq!(extractions[2..], comparison.peers);
         let mut table = csv::Reader::from_path(folder.join("results.csv")).unwrap();
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
         assert_eq!((rows.len(), &rows[0][0]), (2, comparison.records[0].mesh.name.as_str()));

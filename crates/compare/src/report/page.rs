@@ -1,17 +1,19 @@
 //! The page: template and chart script embedded, everything that a user named escaped.
 
 use super::chart::{self, COLORS};
+use super::extraction_chart;
 use super::picture_names;
 use super::summary::{CellSummary, MeshSummary, summarise};
 use crate::metrics::{Better, METRICS, MetricSpec};
 use crate::runner::{Comparison, PictureSet};
+use crate::scaling::{ExtractionRow, Series, series};
 use minijinja::{Environment, Value, context};
 
 /// Name of the template; its ending makes the engine escape values for HTML.
 const TEMPLATE: &str = "index.html";
 
 /// The page of a comparison. It asks nothing of the network: its own policy forbids it.
-pub(super) fn render(comparison: &Comparison) -> Result<String, minijinja::Error> {
+pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     environment.add_template(TEMPLATE, include_str!("template.html"))?;
     let summaries = summarise(&comparison.records);
@@ -28,6 +30,7 @@ pub(super) fn render(comparison: &Comparison) -> Result<String, minijinja::Error
         is_software => comparison.run.adapter.software,
         methods => methods(comparison),
         meshes => meshes,
+        extraction => extraction_section(extractions),
         metrics => METRICS.iter().map(metric_row).collect::<Vec<_>>(),
         chart_script => Value::from_safe_string(chart::script()),
     })
@@ -101,6 +104,37 @@ fn picture_row(index: usize, set: &PictureSet) -> Value {
     }
 }
 
+/// Times of extraction over faces; nothing where no method extracts edges and there are no peers.
+fn extraction_section(rows: &[ExtractionRow]) -> Option<Value> {
+    let all = series(rows);
+    let colors = || COLORS.iter().cycle();
+    let rows: Vec<Value> = all.iter().zip(colors()).map(|(series, color)| series_row(series, color)).collect();
+    (!rows.is_empty()).then(|| {
+        context! { chart => Value::from_safe_string(extraction_chart::chart("chart-extraction", &all)), rows => rows }
+    })
+}
+
+fn series_row(series: &Series<'_>, color: &str) -> Value {
+    let growth = series.growth();
+    let range = |value: fn(&ExtractionRow) -> f64, text: fn(f64) -> String| {
+        let values = || series.rows.iter().map(|row| value(row));
+        let [low, high] = [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)].map(text);
+        if low == high { low } else { format!("{low} to {high}") }
+    };
+    context! {
+        label => &series.label,
+        color => color,
+        meshes => series.rows.len(),
+        faces => range(|row| row.faces as f64, |faces| grouped(faces as usize)),
+        median => range(|row| row.median_ms, |time| format!("{time:.4}")),
+        speed => range(|row| row.edges_per_second / 1e6, |speed| format!("{speed:.1}")),
+        exponent => growth.as_ref().map(|growth| format!("{:.2}", growth.law.exponent)),
+        r2 => growth.as_ref().map(|growth| format!("{:.3}", growth.law.r2)),
+        shape => growth.map(|growth| growth.shape.unwrap_or_else(|| "all meshes".to_owned())),
+        machine => series.rows.first().map(|row| &row.machine),
+    }
+}
+
 fn methods(comparison: &Comparison) -> Vec<Value> {
     let mut rows: Vec<Value> = Vec::new();
     let mut seen = Vec::new();
@@ -152,11 +186,26 @@ fn grouped(count: usize) -> String {
 mod tests {
     use super::super::tests::comparison;
     use super::*;
+    use crate::scaling::rows_of_records;
+
+    fn rendered(comparison: &Comparison) -> String {
+        let extractions = [rows_of_records(&comparison.records), comparison.peers.clone()].concat();
+        render(comparison, &extractions).unwrap()
+    }
+
+    #[test]
+    fn extraction_times_stand_beside_those_of_peers() {
+        let page = rendered(&comparison());
+        assert!(page.contains("id=\"chart-extraction\"") && page.contains("&lt;b&gt;peer: m</td>"));
+        assert!(page.contains("<td>1.00</td><td>1.000</td><td>all meshes</td>"), "the peer's growth is stated");
+        let alone = Comparison { peers: Vec::new(), records: Vec::new(), ..comparison() };
+        assert!(!rendered(&alone).contains("chart-extraction"));
+    }
 
     #[test]
     fn what_a_user_named_is_escaped_everywhere() {
         let comparison = comparison();
-        let page = render(&comparison).unwrap();
+        let page = rendered(&comparison);
         let name = &comparison.records[0].mesh.name;
         assert!(!page.contains(name.as_str()) && !page.contains("<img src=x"), "the name must not break out");
         assert!(page.contains("&lt;img src=x onerror=alert(1)&gt;"));
@@ -166,7 +215,7 @@ mod tests {
 
     #[test]
     fn the_page_asks_nothing_of_the_network() {
-        let page = render(&comparison()).unwrap();
+        let page = rendered(&comparison());
         assert!(page.contains("default-src 'none'"));
         let own = page.replace(&chart::script(), "");
         for needle in ["src=\"http", "href=\"http", "url(", "@import", "fetch("] {
@@ -177,7 +226,7 @@ mod tests {
     #[test]
     fn the_page_shows_methods_metrics_and_pictures() {
         let comparison = comparison();
-        let page = render(&comparison).unwrap();
+        let page = rendered(&comparison);
         for text in ["images/000-brute-force-drawn.png", "images/001-image-precision-difference.png", "id=\"chart-0\""]
         {
             assert!(page.contains(text), "{text}");
