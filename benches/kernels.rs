@@ -1,7 +1,7 @@
 //! Kernels under criterion: loading, topology, extraction, with throughput in faces.
 //!
 //! Runs on built-in shapes, and on every mesh of the folder that `SILHOUETTES_MODELS` names. Each cell asserts its answer
-//! before it is timed. `cargo bench` runs all; `cargo bench -- topology` some.
+//! before it is timed. `cargo bench --bench kernels` runs all, with `-- topology` behind it some.
 
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;

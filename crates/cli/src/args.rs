@@ -110,7 +110,7 @@ fn samples(text: &str) -> Result<u32, String> {
 /// How much a comparison measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ProfileArgument {
-    /// Small pictures, few views: about a minute for a real mesh in software
+    /// Small pictures, few views: seconds a mesh, even in software
     Quick,
     /// Large pictures, many views
     Full,

@@ -23,7 +23,7 @@ pub struct CameraArguments {
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     up: Option<Vec3>,
     /// Vertical field of view in degrees [default: 40]
-    #[arg(long, value_name = "DEG", conflicts_with = "ortho")]
+    #[arg(long, value_name = "DEG", value_parser = field_of_view, conflicts_with = "ortho")]
     fov: Option<f64>,
     /// Orthographic view of this height in the mesh's units, or 'fit'
     #[arg(long, value_name = "HEIGHT", value_parser = ortho_height)]
@@ -91,6 +91,11 @@ fn vector(text: &str) -> Result<Vec3, String> {
         .collect::<Option<_>>()
         .ok_or("expected three numbers such as 1,2.5,-3")?;
     <[f32; 3]>::try_from(numbers).map(Vec3::from).map_err(|_| "expected three numbers such as 1,2.5,-3".to_owned())
+}
+
+fn field_of_view(text: &str) -> Result<f64, String> {
+    let degrees = text.parse().ok().filter(|&degrees: &f64| degrees > 0.0 && degrees < 180.0);
+    degrees.ok_or_else(|| "expected a field of view above 0 and below 180 degrees".to_owned())
 }
 
 fn ortho_height(text: &str) -> Result<OrthoHeight, String> {

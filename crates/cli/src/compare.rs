@@ -3,6 +3,7 @@
 use crate::args::{CompareArguments, ProfileArgument};
 use crate::failure::Failure;
 use crate::input;
+use crate::output::check_writable;
 use crate::progress::TerminalProgress;
 use silhouette_compare::record::Profile;
 use silhouette_compare::registry;
@@ -25,6 +26,7 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         config.methods = arguments.methods.iter().map(|name| choice(name)).collect::<Result<_, _>>()?;
     }
     report::check_target(&arguments.output).map_err(Failure::input)?;
+    check_writable(&arguments.output)?;
     let mut peers = Vec::new();
     for path in &arguments.peers {
         peers.extend(read_rows(path).map_err(Failure::input)?);

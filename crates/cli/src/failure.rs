@@ -61,7 +61,7 @@ impl From<LoadError> for Failure {
 
 impl From<OptionError> for Failure {
     fn from(error: OptionError) -> Self {
-        Self::Input(format!("--set {error}"))
+        Self::Input(format!("option of the method: {error}"))
     }
 }
 

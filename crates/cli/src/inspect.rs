@@ -105,6 +105,9 @@ fn shown(items: &[impl Display]) -> String {
 }
 
 fn groups(groups: &[Vec<impl Display>]) -> String {
-    let group = |ids: &Vec<_>| ids.iter().map(ToString::to_string).collect::<Vec<_>>().join("=");
+    let group = |ids: &Vec<_>| {
+        let first: Vec<_> = ids.iter().take(IDS_SHOWN).map(ToString::to_string).collect();
+        format!("{}{}", first.join("="), if ids.len() > IDS_SHOWN { "=..." } else { "" })
+    };
     shown(&groups.iter().map(group).collect::<Vec<_>>())
 }

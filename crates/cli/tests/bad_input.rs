@@ -95,6 +95,18 @@ fn files_that_are_none() {
     bad_mesh(&folder, &folder.file("mesh", OBJ), ".obj");
 }
 
+/// A pipe that nobody writes to, and a device without end: to open or to read either would be to wait for ever.
+#[cfg(unix)]
+#[test]
+fn pipes_and_devices() {
+    let folder = Folder::new();
+    assert!(Command::new("mkfifo").arg(folder.path("pipe.obj")).status().unwrap().success());
+    std::os::unix::fs::symlink("/dev/zero", folder.path("endless.stl")).unwrap();
+    for name in ["pipe.obj", "endless.stl"] {
+        bad_mesh(&folder, folder.path(name).to_str().unwrap(), "no regular file");
+    }
+}
+
 #[test]
 fn truncated_binary_files() {
     let folder = Folder::new();
@@ -159,6 +171,10 @@ fn outputs_that_cannot_be_written() {
     assert!(refused(&["extract", &mesh, "-o", folder.path("x.json").to_str().unwrap()]).contains("directory"));
     assert!(refused(&["extract", &mesh, "-o", folder.path("x.pdf").to_str().unwrap()]).contains(".svg"));
     assert!(refused(&["render", &mesh, "-o", folder.path("x.jpg").to_str().unwrap()]).contains(".png"));
+    assert!(refused(&["extract", &mesh, "-o", &mesh]).contains("input"));
+    assert_eq!(fs::read_to_string(&mesh).unwrap(), OBJ, "the input is left alone");
+    assert!(refused(&["extract", &mesh, "-o", "/dev/null/x.json"]).contains("x.json"));
+    assert!(refused(&["compare", &mesh, "-o", "/dev/null/report"]).contains("/dev/null/report"));
     assert!(refused(&["compare", &mesh, "-o", &folder.file("taken", "mine")]).contains("taken"));
     assert_eq!(fs::read(folder.path("taken")).unwrap(), b"mine", "nothing a user made is lost");
     assert_eq!(folder.names(), ["mesh.obj", "taken", "x.json"]);
@@ -176,6 +192,7 @@ fn arguments() {
     assert!(refused(&["extract", "builtin:teacup"]).contains("torus"));
     assert!(refused(&["extract", "builtin:torus:1"]).contains("torus"));
     assert!(refused(&["extract", &mesh, "--fov", "180", "--view", "iso"]).contains("field of view"));
+    assert!(refused(&["extract", &mesh, "--fov", "0", "--view", "iso"]).contains("field of view"));
     assert!(refused(&["render", &mesh, "--size", "0x9", "-o", "x.png"]).contains("viewport"));
     assert!(
         refused(&["render", &mesh, "--method", "image-precision", "--set", "scale=0", "-o", "x.png"]).contains("scale")

@@ -10,7 +10,7 @@ use silhouette_core::view::{Camera, Projection};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Profile {
-    /// 512 x 512 pixels, 6 views, 20 timed frames: half a minute a mesh on two cores without a graphics card.
+    /// 512 x 512 pixels, 6 views, 20 timed frames: a few seconds a mesh on two cores without a graphics card.
     Quick,
     /// 1024 x 1024 pixels, 24 views, 120 timed frames.
     Full,

@@ -181,7 +181,7 @@ pub struct PictureSet {
     pub difference: Image,
 }
 
-/// Runs every method on every mesh. Takes about half a minute a mesh with [`Profile::Quick`] on two cores without a
+/// Runs every method on every mesh. Takes a few seconds a mesh with [`Profile::Quick`] on two cores without a
 /// graphics card; memory for one mesh at a time.
 ///
 /// # Errors

@@ -13,9 +13,9 @@
 //! still close, but consecutive half-edges need not share a vertex.
 
 use crate::facing::FaceFacings;
-use crate::id::{FaceId, HalfEdgeId, VertexId};
+use crate::id::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::mesh::TriangleMesh;
-use crate::silhouette::{SilhouetteEdges, is_silhouette_edge_where};
+use crate::silhouette::SilhouetteEdges;
 use crate::topology::{Topology, Twin};
 
 /// Closed loops of silhouette half-edges, front face on the left, seen from the viewer's side of the surface.
@@ -72,7 +72,7 @@ pub struct LoopWalker {
 impl LoopWalker {
     /// Replaces `out` by the loops that `edges`, the silhouette edges of `facings`, form.
     ///
-    /// O(S + faces in the fans around silhouette vertices); no allocation once memory has grown.
+    /// O(S + faces in the fans around silhouette vertices), times log S where these hold non-manifold edges; no allocation once memory has grown.
     ///
     /// # Panics
     /// If `edges` and `facings` do not belong to `topology`, or not to each other.
@@ -109,7 +109,8 @@ impl LoopWalker {
             loop {
                 self.visited[half_edge.index() / 64] |= 1 << (half_edge.index() % 64);
                 out.half_edges.push(half_edge);
-                half_edge = next_silhouette_half_edge(topology, &mut is_front, half_edge);
+                let is_silhouette = |_: &mut _, edge| edges.contains(edge);
+                half_edge = next_silhouette_half_edge(topology, &mut is_front, is_silhouette, half_edge);
                 if half_edge == start {
                     break;
                 }
@@ -132,13 +133,15 @@ impl LoopWalker {
 }
 
 /// The silhouette half-edge that follows another in its loop: pivots about the end vertex inside the fan of front faces.
-/// O(faces in the fan).
+/// `is_silhouette` is asked of non-manifold edges only. O(faces in the fan), and at each non-manifold edge that question
+/// and O(log faces at the edge).
 ///
 /// # Panics
 /// If `half_edge` is of another mesh. If it is no silhouette half-edge, the walk may not end.
-pub fn next_silhouette_half_edge(
+pub fn next_silhouette_half_edge<F: FnMut(FaceId) -> bool>(
     topology: &Topology,
-    is_front: &mut impl FnMut(FaceId) -> bool,
+    is_front: &mut F,
+    mut is_silhouette: impl FnMut(&mut F, EdgeId) -> bool,
     half_edge: HalfEdgeId,
 ) -> HalfEdgeId {
     let mut candidate = half_edge.next_in_face();
@@ -147,9 +150,7 @@ pub fn next_silhouette_half_edge(
             Twin::Border => return candidate,
             Twin::HalfEdge(twin) if is_front(twin.face()) => twin,
             Twin::HalfEdge(_) => return candidate,
-            Twin::NonManifold if is_silhouette_edge_where(topology, &mut *is_front, topology.edge_of(candidate)) => {
-                return candidate;
-            }
+            Twin::NonManifold if is_silhouette(is_front, topology.edge_of(candidate)) => return candidate,
             Twin::NonManifold => next_around_edge(topology, candidate),
         };
         candidate = across.next_in_face();
@@ -159,6 +160,34 @@ pub fn next_silhouette_half_edge(
 /// The half-edge that follows in the cycle of those at a non-manifold edge.
 fn next_around_edge(topology: &Topology, half_edge: HalfEdgeId) -> HalfEdgeId {
     let around = topology.half_edges(topology.edge_of(half_edge));
-    let index = around.iter().position(|&other| other == half_edge).expect("a half-edge is incident to its edge");
+    let index = around.binary_search(&half_edge).expect("a half-edge is incident to its edge");
     around[(index + 1) % around.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+    use std::cell::Cell;
+
+    /// Pages that share a spine, all front: every walk crosses the spine, and may not look at all pages each time.
+    #[test]
+    fn work_at_a_non_manifold_edge_is_linear_in_its_faces() {
+        let looks = |pages: u32| {
+            let positions = (0..pages + 2).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, 1.0)).collect();
+            let mesh = TriangleMesh::new(positions, (0..pages).map(|page| [0, 1, page + 2]).collect()).unwrap();
+            let topology = Topology::new(&mesh);
+            let facings = FaceFacings::from_fn(mesh.face_count(), |_| true);
+            let edges = SilhouetteEdges::of(&topology, &facings);
+            let (looks, mut loops) = (Cell::new(0), SilhouetteLoops::default());
+            let is_front = |_| {
+                looks.set(looks.get() + 1);
+                true
+            };
+            LoopWalker::default().walk_where(&topology, is_front, &edges, &mut loops);
+            assert_eq!(loops.half_edges().len(), 2 * pages as usize);
+            looks.get()
+        };
+        assert_eq!(looks(2000), 10 * looks(200));
+    }
 }

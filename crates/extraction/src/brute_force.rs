@@ -90,8 +90,11 @@ impl BruteForce {
             }
             for slot in 0..3 {
                 let edge = self.topology.edge_of(HalfEdgeId::of(face, slot));
+                let first = self.topology.half_edges(edge)[0].face();
                 edges_tested += 1;
-                if is_silhouette_edge(&self.topology, &self.facings, edge) {
+                // At an edge with k faces the first of them speaks for all, or k front faces would look at k faces each.
+                let differs_from_first = !self.facings.is_front(first);
+                if differs_from_first || first == face && is_silhouette_edge(&self.topology, &self.facings, edge) {
                     self.found.push(edge);
                 }
             }

@@ -124,7 +124,8 @@ impl Randomized {
                 walked[half_edge.index() / 64] |= 1 << (half_edge.index() % 64);
                 path.push(half_edge);
                 found.push(topology.edge_of(half_edge).get());
-                half_edge = next_silhouette_half_edge(topology, &mut is_front, half_edge);
+                let is_silhouette = |is_front: &mut _, edge| is_silhouette_edge_where(topology, is_front, edge);
+                half_edge = next_silhouette_half_edge(topology, &mut is_front, is_silhouette, half_edge);
             }
         }
     }

@@ -11,8 +11,9 @@
 //! strip of it in front.
 //!
 //! # When to choose it
-//! For a triangle soup that changes every frame: no adjacency, no preparation, positions and triangles are enough. Two
-//! passes over the mesh, O(F) a view on the GPU, nothing on the CPU. The price is a width that follows the shape
+//! For a triangle soup: no adjacency, no preparation, positions and triangles are enough. Two passes over the mesh, O(F) a
+//! view on the GPU; on the CPU nothing, unless the eye is within the mesh's bounding box, where telling inside from outside
+//! is O(F). (The renderer uploads positions once; a mesh that moves needs a renderer anew.) The price is a width that follows the shape
 //! ([`back_faces::rim_width`]): thin on smooth rims, thick on sharp edges. Where thickness has to be even, use a method
 //! that knows edges.
 //!
@@ -33,6 +34,9 @@
 //! rounding makes them equal.
 //!
 //! # Failures
+//! Open meshes: a back face seen through a hole is black all over, and boundary edges get no ink, so a single sheet draws
+//! nothing from the front and is black from behind. An eye on the surface may count as outside or inside.
+//!
 //! Small k bleeds: a back face behind a front face shows through it where the two are closer along the line of sight than
 //! 1 - k of their distance from the eye. A plate of thickness 0.02 seen from 4 is black all over below k = 0.995.
 

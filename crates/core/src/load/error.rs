@@ -59,6 +59,9 @@ pub enum Problem {
     /// The path names a directory.
     #[error("this is a directory; name a mesh file in it")]
     Directory,
+    /// The path names a pipe, a device or the like.
+    #[error("this is no regular file; copy what it yields to a file and name that")]
+    NoRegularFile,
     /// The operating system refused to read.
     #[error("cannot be read ({0}); check its permissions and that the disk is in order")]
     Io(#[source] io::Error),

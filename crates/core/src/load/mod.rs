@@ -185,11 +185,15 @@ fn read_file(path: &Path, progress: &dyn Progress) -> Result<Vec<u8>, Located> {
         io::ErrorKind::IsADirectory => Problem::Directory,
         _ => Problem::Io(error),
     };
-    let mut file = File::open(path).map_err(refused)?;
-    let metadata = file.metadata().map_err(refused)?;
+    // Asked before opening: to open a pipe is to wait for its writer, and a device may never end.
+    let metadata = std::fs::metadata(path).map_err(refused)?;
     if metadata.is_dir() {
         return Err(Problem::Directory.into());
     }
+    if !metadata.is_file() {
+        return Err(Problem::NoRegularFile.into());
+    }
+    let mut file = File::open(path).map_err(refused)?;
     let mut steps = Steps::begin(progress, "reading", usize::try_from(metadata.len()).unwrap_or(usize::MAX));
     let mut bytes = Vec::new();
     while file.by_ref().take(READ_AT_ONCE).read_to_end(&mut bytes).map_err(refused)? > 0 {
