@@ -86,8 +86,8 @@ impl Method for Randomized {
         let edges = topology.edge_count();
         Ok(Self {
             mesh: Arc::clone(mesh.mesh()),
-            probes: (options.number("probes") * edges as f64).ceil() as u64,
-            random: SplitMix64(options.number("seed") as u64),
+            probes: (options.number("probes")? * edges as f64).ceil() as u64,
+            random: SplitMix64(options.number("seed")? as u64),
             memo: FacingMemo::default(),
             last: Vec::new(),
             found: Vec::new(),

@@ -50,8 +50,8 @@ impl Method for ImagePrecision {
     ) -> Result<Self, PrepareError> {
         Ok(Self {
             mesh: Arc::clone(mesh),
-            scale: options.number(SCALE.name),
-            skips_inside: options.choice(EYE_INSIDE.name) == "skip",
+            scale: options.number(SCALE.name)?,
+            skips_inside: options.choice(EYE_INSIDE.name)? == "skip",
         })
     }
 

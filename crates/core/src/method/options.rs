@@ -60,6 +60,12 @@ pub enum OptionError {
         /// What fits.
         expected: String,
     },
+    /// The values were made from the options of another method.
+    #[error("there is no value for '{name}'; make the values from this method's own options")]
+    Foreign {
+        /// The option that is missing.
+        name: &'static str,
+    },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -129,23 +135,23 @@ impl OptionValues {
 
     /// The value of a number option.
     ///
-    /// # Panics
-    /// If the method's specs hold no number of this name: a programming error in the method.
-    pub fn number(&self, name: &str) -> f64 {
+    /// # Errors
+    /// [`OptionError::Foreign`] where there is no such number: the values were made for another method.
+    pub fn number(&self, name: &'static str) -> Result<f64, OptionError> {
         match self.0.get(name) {
-            Some(Value::Number(number)) => *number,
-            other => panic!("'{name}' is no number option: {other:?}"),
+            Some(Value::Number(number)) => Ok(*number),
+            _ => Err(OptionError::Foreign { name }),
         }
     }
 
     /// The value of a choice option.
     ///
-    /// # Panics
-    /// If the method's specs hold no choice of this name: a programming error in the method.
-    pub fn choice(&self, name: &str) -> &'static str {
+    /// # Errors
+    /// [`OptionError::Foreign`] where there is no such choice: the values were made for another method.
+    pub fn choice(&self, name: &'static str) -> Result<&'static str, OptionError> {
         match self.0.get(name) {
-            Some(Value::Choice(choice)) => choice,
-            other => panic!("'{name}' is no choice option: {other:?}"),
+            Some(Value::Choice(choice)) => Ok(choice),
+            _ => Err(OptionError::Foreign { name }),
         }
     }
 }
@@ -189,7 +195,7 @@ mod tests {
     #[test]
     fn values_round_trip_through_their_text() {
         let values = OptionValues::parse(SPECS, ["scale=0.25", "mode=paper"]).unwrap();
-        assert_eq!((values.number("scale"), values.choice("mode")), (0.25, "paper"));
+        assert_eq!((values.number("scale"), values.choice("mode")), (Ok(0.25), Ok("paper")));
         let text = values.to_string();
         assert_eq!(OptionValues::parse(SPECS, text.split(' ')).unwrap(), values);
         assert_ne!(OptionValues::defaults(SPECS), values);
@@ -203,5 +209,12 @@ mod tests {
         assert_eq!(message("mode=x"), "mode=x does not fit: one of screen, paper");
         assert_eq!(message("width=1"), "there is no option 'width'; there are scale, mode");
         assert_eq!(message("scale"), "'scale' is not of the form name=value");
+    }
+
+    #[test]
+    fn values_of_another_method_are_refused() {
+        let values = OptionValues::defaults(&[]);
+        assert_eq!(values.number("scale"), Err(OptionError::Foreign { name: "scale" }));
+        assert_eq!(OptionValues::defaults(SPECS).choice("scale"), Err(OptionError::Foreign { name: "scale" }));
     }
 }
