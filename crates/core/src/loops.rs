@@ -72,7 +72,8 @@ pub struct LoopWalker {
 impl LoopWalker {
     /// Replaces `out` by the loops that `edges`, the silhouette edges of `facings`, form.
     ///
-    /// O(S + faces in the fans around silhouette vertices), times log S where these hold non-manifold edges; no allocation once memory has grown.
+    /// O(S + faces in the fans around silhouette vertices), times log S where these hold non-manifold edges; no
+    /// allocation once memory has grown.
     ///
     /// # Panics
     /// If `edges` and `facings` do not belong to `topology`, or not to each other.
