@@ -4,7 +4,7 @@
 //!
 //! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
 //! 2. [`weld`]: merging of coincident vertices, on request only. [`inspect`]: what is wrong with a mesh, with ids.
-//! 3. [`topology`]: edges with all their incident faces, twin half-edges.
+//! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh.
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
 //! 5. [`facing`]: front or back, by the exact sign, for every face.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops.
@@ -25,6 +25,7 @@ pub mod prepared;
 pub mod progress;
 pub mod shapes;
 pub mod silhouette;
+pub mod subdivide;
 pub mod topology;
 pub mod view;
 pub mod weld;
