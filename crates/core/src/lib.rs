@@ -6,7 +6,7 @@
 //! 2. [`weld`]: merging of coincident vertices, on request only. [`inspect`]: what is wrong with a mesh, with ids.
 //! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh.
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
-//! 5. [`facing`]: front or back, by the exact sign, for every face.
+//! 5. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
 //!
@@ -15,6 +15,7 @@
 
 mod exact;
 pub mod facing;
+pub mod facing_memo;
 pub mod id;
 pub mod inspect;
 pub mod load;
@@ -33,6 +34,7 @@ pub mod weld;
 pub use glam;
 
 pub use facing::{FaceFacings, Facing};
+pub use facing_memo::FacingMemo;
 pub use id::{EdgeId, FaceId, HalfEdgeId, PerElement, VertexId};
 pub use loops::SilhouetteLoops;
 pub use mesh::{MeshError, TriangleMesh};

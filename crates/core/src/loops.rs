@@ -21,7 +21,7 @@ use crate::topology::{Topology, Twin};
 /// Closed loops of silhouette half-edges, front face on the left, seen from the viewer's side of the surface.
 ///
 /// On a consistently wound mesh each half-edge ends where the next begins, the last where the first begins. Loops are
-/// ordered by their lowest edge, which is also where each begins.
+/// ordered by their lowest edge, which is also where each begins, unless who formed them says otherwise.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct SilhouetteLoops {
     half_edges: Vec<HalfEdgeId>,
@@ -42,16 +42,74 @@ impl SilhouetteLoops {
 
     /// The half-edges of each loop.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[HalfEdgeId]> {
-        (0..self.ends.len()).map(|index| {
-            let begin = if index == 0 { 0 } else { self.ends[index - 1] };
-            &self.half_edges[begin..self.ends[index]]
-        })
+        (0..self.ends.len()).map(|index| self.get(index))
     }
 
     /// All half-edges, loop after loop.
     pub fn half_edges(&self) -> &[HalfEdgeId] {
         &self.half_edges
     }
+
+    /// The half-edges of one loop.
+    ///
+    /// # Panics
+    /// If there is no such loop.
+    pub fn get(&self, index: usize) -> &[HalfEdgeId] {
+        let begin = if index == 0 { 0 } else { self.ends[index - 1] };
+        &self.half_edges[begin..self.ends[index]]
+    }
+
+    /// Removes all loops; keeps the memory.
+    pub fn clear(&mut self) {
+        self.half_edges.clear();
+        self.ends.clear();
+    }
+
+    /// Appends a half-edge to the loop that is being formed.
+    pub fn push(&mut self, half_edge: HalfEdgeId) {
+        self.half_edges.push(half_edge);
+    }
+
+    /// Ends the loop that is being formed.
+    ///
+    /// # Panics
+    /// In builds with debug assertions, if it has no half-edge.
+    pub fn end_loop(&mut self) {
+        debug_assert!(self.ends.last().copied().unwrap_or(0) < self.half_edges.len(), "a loop has a half-edge");
+        self.ends.push(self.half_edges.len());
+    }
+
+    /// Replaces these loops by `loops`, each begun at its lowest edge and all ordered by it. `starts` is scratch memory:
+    /// for each loop its lowest edge and where that lies. O(S + loops log loops), no allocation once memory has grown.
+    pub fn refill_ordered(&mut self, topology: &Topology, loops: &Self, starts: &mut Vec<LoopStart>) {
+        starts.clear();
+        starts.extend(loops.iter().enumerate().map(|(index, half_edges)| {
+            let keys = half_edges.iter().map(|&half_edge| (topology.edge_of(half_edge), half_edge));
+            let (place, lowest) = keys.enumerate().min_by_key(|&(_, key)| key).unzip();
+            LoopStart { lowest, index, place: place.unwrap_or(0) }
+        }));
+        starts.sort_unstable();
+        self.clear();
+        for start in starts.iter() {
+            let (before, after) = loops.get(start.index).split_at(start.place);
+            self.half_edges.extend_from_slice(after);
+            self.half_edges.extend_from_slice(before);
+            self.ends.push(self.half_edges.len());
+        }
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.half_edges.as_slice()) + size_of_val(self.ends.as_slice())
+    }
+}
+
+/// Where a loop has its lowest edge: scratch of [`SilhouetteLoops::refill_ordered`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LoopStart {
+    lowest: Option<(EdgeId, HalfEdgeId)>,
+    index: usize,
+    place: usize,
 }
 
 /// The vertex that a half-edge leaves.
@@ -100,8 +158,7 @@ impl LoopWalker {
         out: &mut SilhouetteLoops,
     ) {
         self.visited.resize(topology.half_edge_count().div_ceil(64), 0);
-        out.half_edges.clear();
-        out.ends.clear();
+        out.clear();
         for &start in edges.iter().flat_map(|edge| topology.half_edges(edge)) {
             if !is_front(start.face()) || self.is_visited(start) {
                 continue;

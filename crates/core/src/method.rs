@@ -66,6 +66,9 @@ pub enum PrepareError {
     /// An option has no such name or a value out of range.
     #[error(transparent)]
     Option(#[from] OptionError),
+    /// The mesh is none that the method is defined for; the cause names the elements at fault.
+    #[error(transparent)]
+    Mesh(Box<dyn std::error::Error + Send + Sync>),
 }
 
 /// One published method, prepared for one mesh.

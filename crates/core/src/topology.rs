@@ -101,10 +101,25 @@ impl Topology {
         self.half_edges(edge).iter().map(|half_edge| half_edge.face())
     }
 
+    /// A copy in which nothing lies across some edges: each of their half-edges has a border there, whatever it had
+    /// before. Ids and the faces at each edge stay as they are, so results name the elements of the original. O(F).
+    ///
+    /// # Panics
+    /// If the mesh has no such edge.
+    #[must_use]
+    pub fn severed(&self, edges: impl IntoIterator<Item = EdgeId>) -> Self {
+        let mut severed = self.clone();
+        for &half_edge in edges.into_iter().flat_map(|edge| self.half_edges(edge)) {
+            severed.twins[half_edge] = BORDER;
+        }
+        severed
+    }
+
     /// The edge that a half-edge belongs to.
     ///
     /// # Panics
     /// If the mesh has no such half-edge.
+    #[inline]
     pub fn edge_of(&self, half_edge: HalfEdgeId) -> EdgeId {
         self.edge_of[half_edge]
     }
@@ -113,6 +128,7 @@ impl Topology {
     ///
     /// # Panics
     /// If the mesh has no such half-edge.
+    #[inline]
     pub fn twin(&self, half_edge: HalfEdgeId) -> Twin {
         match self.twins[half_edge] {
             BORDER => Twin::Border,
@@ -204,6 +220,20 @@ mod tests {
         assert_eq!(topology.half_edges(edge), [HalfEdgeId::new(1), HalfEdgeId::new(4)]);
         assert_eq!((topology.boundary_edge_count(), topology.non_manifold_edge_count()), (2, 1));
         assert_eq!(topology.find_edge(VertexId::new(2), VertexId::new(3)), None);
+    }
+
+    #[test]
+    fn a_severed_edge_keeps_its_faces_but_has_borders() {
+        let mesh = soup(4, vec![[0, 1, 2], [2, 1, 3], [1, 2, 0]]);
+        let topology = Topology::new(&mesh);
+        let edge = topology.find_edge(VertexId::new(1), VertexId::new(2)).unwrap();
+        assert_eq!(topology.twin(HalfEdgeId::new(3)), Twin::NonManifold);
+        let severed = topology.severed([edge]);
+        assert_eq!(severed.half_edges(edge), topology.half_edges(edge));
+        for half_edge in (0..9).map(HalfEdgeId::new) {
+            let expected = if topology.edge_of(half_edge) == edge { Twin::Border } else { topology.twin(half_edge) };
+            assert_eq!(severed.twin(half_edge), expected);
+        }
     }
 
     #[test]

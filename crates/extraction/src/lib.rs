@@ -14,7 +14,6 @@ pub mod brute_force_simd;
 pub mod cluster_cones;
 mod cones;
 mod edge_order;
-mod facing_memo;
 mod loop_scratch;
 mod patches;
 pub mod randomized;

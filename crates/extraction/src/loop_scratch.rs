@@ -1,10 +1,9 @@
 //! Loops from edges without a facing of every face: only the fans around silhouette vertices are looked at.
 
-use crate::facing_memo::FacingMemo;
 use silhouette_core::glam::Vec3;
 use silhouette_core::loops::LoopWalker;
 use silhouette_core::method::ExtractionStats;
-use silhouette_core::{FaceId, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint};
+use silhouette_core::{FaceId, FacingMemo, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint};
 
 /// Memory for the loops of one method; empty until loops are asked for.
 #[derive(Debug, Clone, Default)]

@@ -14,19 +14,18 @@
 //! are uniform, where Markosian et al. prefer edges with a sharp dihedral angle; (3) all of the last silhouette is tested,
 //! not a share of it, since an edge on a loop that was just walked costs one look.
 //!
-//! Cost: O(probes + S + faces in the fans around silhouette vertices) a view, whatever the size of the mesh; four bytes a
-//! face and a bit a half-edge of memory; a call allocates nothing once its memory has grown. The same seed and the same
+//! Cost: O(probes + S + faces in the fans around silhouette vertices) a view, whatever the size of the mesh; a byte
+//! a face and a bit a half-edge of memory; a call allocates nothing once its memory has grown. The same seed and the same
 //! sequence of views give the same edges, on any machine.
 
 use crate::edge_order::EdgeOrder;
-use crate::facing_memo::FacingMemo;
 use silhouette_core::loops::next_silhouette_half_edge;
 use silhouette_core::method::{ExtractionStats, OptionKind, OptionSpec, OptionValues, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge_where;
 use silhouette_core::{
-    EdgeId, ExtractsEdges, HalfEdgeId, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, Topology,
-    TriangleMesh, Viewpoint,
+    EdgeId, ExtractsEdges, FacingMemo, HalfEdgeId, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges,
+    Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 
