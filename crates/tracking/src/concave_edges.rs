@@ -1,0 +1,223 @@
+//! Preparation (Hall 2003): the concave edges in order of decreasing angle, and the border.
+//!
+//! An edge is concave where its interior angle exceeds `pi`, that is where the far corner of one of its faces lies
+//! strictly on the outer side of the other: decided exactly, since the rule that silhouettes are born at concave edges
+//! holds for exact facings and exact concavity only. `angle` is by how much `pi` is exceeded, in radians, 0 to `pi`.
+//!
+//! Two cases beyond Hall's. An edge whose faces are folded onto each other has an angle of `pi`, on whichever side they
+//! lie: no view sees both, as at a border. So has an edge of a face whose plane 64-bit arithmetic cannot tell (needles, no
+//! area): such a face may stay back while all around it turns.
+
+use crate::facing_planes::FacingPlanes;
+use crate::refuse::{self, Defect};
+use silhouette_core::facing::{Facing, judge};
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::prepared::Artefact;
+use silhouette_core::progress::Cancelled;
+use silhouette_core::topology::Twin;
+use silhouette_core::{EdgeId, FaceId, HalfEdgeId, PreparedMesh, Progress, Topology, TriangleMesh, Viewpoint};
+use std::f32::consts::PI;
+use std::sync::Arc;
+
+/// Sine below which two faces on opposite sides of a half-turn count as folded onto each other.
+const FOLD_SINE: f64 = 1e-6;
+
+/// A concave edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConcaveEdge {
+    /// Its half-edges, the lower one first.
+    pub half_edges: [HalfEdgeId; 2],
+    /// By how much the interior angle exceeds `pi`, in radians.
+    pub angle_rad: f32,
+}
+
+/// Concave edges, borders and defects of a mesh: what tracking prepares. 16 bytes a concave edge, 4 a border edge.
+#[derive(Debug, Clone)]
+pub struct TrackedEdges {
+    topology: Arc<Topology>,
+    concave: ConcaveEdges,
+    border: Vec<HalfEdgeId>,
+    defects: Vec<Defect>,
+}
+
+/// Concave edges in order of decreasing angle.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ConcaveEdges {
+    by_angle: Vec<ConcaveEdge>,
+    /// Ranks in `by_angle`, in the order of half-edges.
+    by_half_edge: Vec<u32>,
+}
+
+impl TrackedEdges {
+    /// Finds the edges. Defects are listed, and cut in the topology that comes back from
+    /// [`topology`](Self::topology); whether a mesh with defects is to be tracked is for others to say.
+    ///
+    /// O(F + E), and O(C log C) for C concave edges.
+    pub fn new(mesh: &TriangleMesh, topology: &Arc<Topology>, planes: &FacingPlanes) -> Self {
+        let defects = refuse::defects(mesh, topology);
+        let topology = refuse::cut(topology, &defects);
+        let mut concave = ConcaveEdges::default();
+        concave.find(mesh.positions(), mesh.triangles(), &topology, planes);
+        let half_edges = (0..topology.half_edge_count()).map(HalfEdgeId::from_usize);
+        let border = half_edges.filter(|&half_edge| topology.twin(half_edge) == Twin::Border).collect();
+        Self { topology, concave, border, defects }
+    }
+
+    /// The topology to track on: that of the mesh, cut at all defects.
+    pub fn topology(&self) -> &Arc<Topology> {
+        &self.topology
+    }
+
+    /// Concave edges in order of decreasing angle, equal angles in the order of half-edges.
+    pub fn concave(&self) -> &[ConcaveEdge] {
+        &self.concave.by_angle
+    }
+
+    /// Half-edges with nothing across, ascending.
+    pub fn border(&self) -> &[HalfEdgeId] {
+        &self.border
+    }
+
+    /// Edges that cannot be tracked across, ascending.
+    pub fn defects(&self) -> &[Defect] {
+        &self.defects
+    }
+
+    pub(crate) fn concave_edges(&self) -> &ConcaveEdges {
+        &self.concave
+    }
+}
+
+impl ConcaveEdges {
+    /// Replaces the edges by those of other positions. O(E), and O(C log C) for C concave edges; no allocation from the
+    /// second call on.
+    pub(crate) fn find(
+        &mut self,
+        positions: &[Vec3],
+        triangles: &[[u32; 3]],
+        topology: &Topology,
+        planes: &FacingPlanes,
+    ) {
+        let shape = Shape { positions, triangles, planes };
+        self.by_angle.clear();
+        let edges = (0..topology.edge_count()).map(EdgeId::from_usize);
+        self.by_angle.extend(edges.filter_map(|edge| match *topology.half_edges(edge) {
+            [one, other] if topology.twin(one) != Twin::Border => {
+                let angle_rad = shape.concave_angle(one, other)?;
+                Some(ConcaveEdge { half_edges: [one, other], angle_rad })
+            }
+            _ => None,
+        }));
+        self.by_angle
+            .sort_unstable_by(|a, b| b.angle_rad.total_cmp(&a.angle_rad).then_with(|| a.half_edges.cmp(&b.half_edges)));
+        self.by_half_edge.clear();
+        self.by_half_edge.extend(0..self.by_angle.len() as u32);
+        let by_angle = &self.by_angle;
+        self.by_half_edge.sort_unstable_by_key(|&rank| by_angle[rank as usize].half_edges);
+    }
+
+    /// As [`find`](Self::find) needs for any positions of this topology, so that moving meshes never allocate again.
+    pub(crate) fn reserve(&mut self, edges: usize) {
+        self.by_angle.reserve(edges);
+        self.by_half_edge.reserve(edges);
+    }
+
+    /// Bytes held.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.by_angle.as_slice()) + size_of_val(self.by_half_edge.as_slice())
+    }
+}
+
+struct Shape<'a> {
+    positions: &'a [Vec3],
+    triangles: &'a [[u32; 3]],
+    planes: &'a FacingPlanes,
+}
+
+impl Shape<'_> {
+    fn corners(&self, face: FaceId) -> [Vec3; 3] {
+        self.triangles[face.index()].map(|vertex| self.positions[vertex as usize])
+    }
+
+    /// By how much the interior angle between two faces exceeds `pi`; `None` at an edge that is flat or convex.
+    fn concave_angle(&self, one: HalfEdgeId, other: HalfEdgeId) -> Option<f32> {
+        let corners = self.corners(one.face());
+        let other_corners = self.corners(other.face());
+        if !(self.planes.is_reliable(one.face()) && self.planes.is_reliable(other.face())) {
+            return Some(PI);
+        }
+        let far_corner = other_corners[(other.slot() as usize + 2) % 3];
+        let is_concave = judge(corners, &Viewpoint::Perspective { eye: far_corner }).facing == Facing::Front;
+        let (normal, other_normal) = (unit_normal(corners), unit_normal(other_corners));
+        let (sine, cosine) = (normal.cross(other_normal).length(), normal.dot(other_normal));
+        if is_concave { Some(sine.atan2(cosine) as f32) } else { (cosine < 0.0 && sine < FOLD_SINE).then_some(PI) }
+    }
+}
+
+fn unit_normal(corners: [Vec3; 3]) -> DVec3 {
+    let [v0, v1, v2] = corners.map(Vec3::as_dvec3);
+    (v1 - v0).cross(v2 - v0).normalize()
+}
+
+impl Artefact for TrackedEdges {
+    const NAME: &'static str = "tracked-edges";
+
+    fn build(mesh: &PreparedMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        let topology = mesh.artefact::<Topology>(Self::NAME, progress)?;
+        let planes = mesh.artefact::<FacingPlanes>(Self::NAME, progress)?;
+        progress.check()?;
+        progress.stage("concave edges", 1);
+        let edges = Self::new(mesh.mesh(), &topology, &planes);
+        progress.advance(1);
+        Ok(edges)
+    }
+
+    fn bytes(&self) -> usize {
+        let cut = if self.defects.is_empty() { 0 } else { Artefact::bytes(&*self.topology) };
+        self.concave.bytes() + size_of_val(self.border.as_slice()) + size_of_val(self.defects.as_slice()) + cut
+    }
+}
+
+/// The concave edges that a concavity level selects: the head of the list by angle, copied in the order of half-edges, so
+/// that a frame runs through memory once and in one direction.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ActiveEdges {
+    pub half_edges: Vec<[HalfEdgeId; 2]>,
+    /// Their faces, ascending, each once.
+    pub faces: Vec<FaceId>,
+    is_face: Vec<u64>,
+}
+
+impl ActiveEdges {
+    /// Selects the edges whose angle exceeds `level_rad`; none for `None`. O(C + F / 64), no allocation once grown.
+    pub fn select(&mut self, concave: &ConcaveEdges, level_rad: Option<f32>, faces: usize) {
+        let is_above = |edge: &ConcaveEdge| level_rad.is_some_and(|level| edge.angle_rad > level);
+        let count = concave.by_angle.partition_point(is_above);
+        self.half_edges.clear();
+        self.faces.clear();
+        self.half_edges.reserve(concave.by_angle.len());
+        self.is_face.resize(faces.div_ceil(64), 0);
+        for &rank in concave.by_half_edge.iter().filter(|&&rank| (rank as usize) < count) {
+            let half_edges = concave.by_angle[rank as usize].half_edges;
+            self.half_edges.push(half_edges);
+            for face in half_edges.map(HalfEdgeId::face) {
+                self.is_face[face.index() / 64] |= 1 << (face.index() % 64);
+            }
+        }
+        self.faces.reserve(faces.min(2 * concave.by_angle.len()));
+        for (index, word) in self.is_face.iter_mut().enumerate() {
+            let mut bits = std::mem::take(word);
+            while bits != 0 {
+                self.faces.push(FaceId::from_usize(64 * index + bits.trailing_zeros() as usize));
+                bits &= bits - 1;
+            }
+        }
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.half_edges.as_slice())
+            + size_of_val(self.faces.as_slice())
+            + size_of_val(self.is_face.as_slice())
+    }
+}

@@ -1,0 +1,48 @@
+//! Detecting new silhouettes (Hall 2003): in the concave list, then in the border list.
+//!
+//! A face that turns while its neighbours do not is born, or dies, as a silhouette of its own: that happens at a concave
+//! edge of the face, or at a border, as long as the eye does not cross the surface. Parts that split off a silhouette are
+//! no births, and tracking has to follow them.
+
+use crate::complete_silhouette::FoundLoops;
+use crate::concave_edges::ActiveEdges;
+use crate::faces::Faces;
+use crate::stats::TrackingStats;
+use silhouette_core::HalfEdgeId;
+
+/// Completes the loops that hold a selected concave edge. The faces at those edges must have been evaluated.
+pub(crate) fn detect_in_concave_list(
+    faces: &mut Faces,
+    loops: &mut FoundLoops,
+    active: &ActiveEdges,
+    stats: &mut TrackingStats,
+) {
+    stats.edges_tested += active.half_edges.len() as u64;
+    for &[one, other] in &active.half_edges {
+        let is_front = faces.recall(one.face());
+        if is_front != faces.recall(other.face()) {
+            complete_new(faces, loops, if is_front { one } else { other });
+        }
+    }
+}
+
+/// Completes the loops that hold a border edge of a front face.
+pub(crate) fn detect_in_border_list(
+    faces: &mut Faces,
+    loops: &mut FoundLoops,
+    border: &[HalfEdgeId],
+    stats: &mut TrackingStats,
+) {
+    stats.edges_tested += border.len() as u64;
+    for &half_edge in border {
+        if faces.is_front(half_edge.face()) {
+            complete_new(faces, loops, half_edge);
+        }
+    }
+}
+
+fn complete_new(faces: &mut Faces, loops: &mut FoundLoops, half_edge: HalfEdgeId) {
+    if loops.loop_of(half_edge).is_none() {
+        loops.complete(faces, half_edge);
+    }
+}

@@ -1,0 +1,263 @@
+//! The plane equation of each face (Hall 2003, Preparation), in 32 bits and yet exact.
+//!
+//! A plane is a unit normal `n` and an offset `d`, relative to the middle `c` of the mesh, computed in 64 bits from the
+//! corners and then rounded; the test of a view is `v = n . (P - c) + d`, four products of 32-bit floats, and the sign of
+//! `v` is that of the true signed distance `s` wherever `|v|` exceeds one bound for the whole view. Elsewhere, which is
+//! one face in a hundred thousand, [`judge`] decides.
+//!
+//! # The bound
+//!
+//! Let `u = 2^-24`, `p = P - c` and `R` the largest distance of a vertex from `c`, hence `|d| <= R`.
+//!
+//! - The cross product in 64 bits is off by less than `2^-50 |a| |b|` for edges `a`, `b`. A face with
+//!   `|a x b| < 2^-18 |a| |b|` (a needle, or no area) gets the zero plane, which no bound certifies; in all others the
+//!   unit normal is off by less than `2^-30`.
+//! - Rounding `n`, `d` and `p` to 32 bits is off by `u` relatively each. Four products and three sums, in any order, are
+//!   off by at most `4u / (1 - 4u)` times the sum of the products' magnitudes.
+//! - So `|v - s| <= (6u + 2^-29) |p|_1 + (5u + 2^-29) R`, below `8u (|p|_1 + R)`; the rounding of 64-bit coordinates far
+//!   from their origin adds at most `2^-50 (|c|_1 + |P|_1)`, products that underflow less than the smallest normal float.
+//!
+//! Overflow makes the bound infinite and certifies nothing. For an orthographic view along `W` the offset plays no part
+//! and the bound is `8u |W|_1`.
+
+use silhouette_core::facing::{Facing, Judgement, judge};
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::prepared::Artefact;
+use silhouette_core::progress::Cancelled;
+use silhouette_core::{FaceId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
+
+/// A face's sides span less than this sine: its plane is not trusted to 64 bits. See the [module](self).
+const NEEDLE_SINE: f64 = 1.0 / 262_144.0;
+
+/// Relative error of the test, `8u`. See the [module](self).
+const RELATIVE_BOUND: f64 = 8.0 / 16_777_216.0;
+
+/// Relative error of 64-bit coordinates that are made relative to the middle, `2^-50`.
+const RECENTRE_BOUND: f64 = 4.0 * f64::EPSILON;
+
+/// Bounds beyond this are taken as infinite, so that no partial sum of a certified test overflows.
+const LARGEST_REACH: f64 = f32::MAX as f64 / 16.0;
+
+/// The planes of all faces, 16 bytes each.
+#[derive(Debug, Clone, Default)]
+pub struct FacingPlanes {
+    planes: Vec<[f32; 4]>,
+    center: DVec3,
+    /// Largest distance of a used vertex from `center`.
+    radius: f64,
+    /// Box around the used vertices; empty (`min > max`) without faces.
+    bounds: [DVec3; 2],
+}
+
+impl FacingPlanes {
+    /// The planes of a mesh. O(F).
+    pub fn new(mesh: &TriangleMesh) -> Self {
+        let mut planes = Self::default();
+        planes.compute(mesh.positions(), mesh.triangles());
+        planes
+    }
+
+    /// Replaces the planes by those of other positions. O(F), no allocation from the second call on.
+    pub(crate) fn compute(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) {
+        let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize].as_dvec3());
+        let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let extend = |[min, max]: [DVec3; 2], p: DVec3| [min.min(p), max.max(p)];
+        self.bounds = triangles.iter().flat_map(corners).fold(empty, extend);
+        let [min, max] = self.bounds;
+        self.center = if triangles.is_empty() { DVec3::ZERO } else { (min + max) * 0.5 };
+        let center = self.center;
+        self.radius = triangles.iter().flat_map(corners).map(|p| p.distance_squared(center)).fold(0.0, f64::max).sqrt();
+        self.planes.clear();
+        self.planes.extend(triangles.iter().map(|triangle| plane(corners(triangle), center)));
+    }
+
+    /// Number of faces.
+    pub fn len(&self) -> usize {
+        self.planes.len()
+    }
+
+    /// Whether there is no face.
+    pub fn is_empty(&self) -> bool {
+        self.planes.is_empty()
+    }
+
+    /// Middle of the box around the mesh, in object space.
+    pub(crate) fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Radius of the mesh about [`center`](Self::center).
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Lowest and highest corner of the box around the mesh; lowest above highest where there is no face.
+    pub(crate) fn bounds(&self) -> [DVec3; 2] {
+        self.bounds
+    }
+
+    /// Whether the plane of a face is known to 32 bits; not so for needles and faces without area.
+    pub(crate) fn is_reliable(&self, face: FaceId) -> bool {
+        self.planes[face.index()][..3].iter().any(|&coordinate| coordinate != 0.0)
+    }
+
+    /// The test of a view.
+    pub(crate) fn test(&self, viewpoint: &Viewpoint) -> PlaneTest {
+        let (point, weight, error) = match *viewpoint {
+            Viewpoint::Perspective { eye } => {
+                let relative = eye.as_dvec3() - self.center;
+                let reach = l1(relative) + self.radius;
+                let far = l1(self.center) + l1(eye.as_dvec3());
+                (
+                    relative,
+                    1.0,
+                    if reach < LARGEST_REACH { RELATIVE_BOUND * reach + RECENTRE_BOUND * far } else { f64::INFINITY },
+                )
+            }
+            Viewpoint::Orthographic { toward_viewer } => {
+                let direction = toward_viewer.as_dvec3();
+                let reach = l1(direction) + self.radius;
+                (direction, 0.0, if reach < LARGEST_REACH { RELATIVE_BOUND * l1(direction) } else { f64::INFINITY })
+            }
+        };
+        let [x, y, z] = point.as_vec3().to_array();
+        PlaneTest { point: [x, y, z, weight], error: (error * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE }
+    }
+}
+
+/// Sum of magnitudes.
+fn l1(v: DVec3) -> f64 {
+    v.abs().element_sum()
+}
+
+/// Normal and offset, or zeros where 64 bits do not suffice.
+fn plane([v0, v1, v2]: [DVec3; 3], center: DVec3) -> [f32; 4] {
+    let (a, b) = (v1 - v0, v2 - v0);
+    let normal = a.cross(b);
+    let length = normal.length();
+    if length > NEEDLE_SINE * (a.length() * b.length()) {
+        let unit = normal / length;
+        let [x, y, z] = unit.as_vec3().to_array();
+        [x, y, z, -unit.dot(v0 - center) as f32]
+    } else {
+        [0.0; 4]
+    }
+}
+
+/// One view against any plane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PlaneTest {
+    point: [f32; 4],
+    error: f32,
+}
+
+impl PlaneTest {
+    /// Whether a face is front; `None` where the bound does not tell.
+    #[inline]
+    fn certified(&self, planes: &FacingPlanes, face: FaceId) -> Option<bool> {
+        let (p, n) = (&self.point, &planes.planes[face.index()]);
+        let distance = (p[0] * n[0] + p[1] * n[1]) + (p[2] * n[2] + p[3] * n[3]);
+        // Not `<=`: what is not a number is not certain.
+        if distance.abs() > self.error { Some(distance > 0.0) } else { None }
+    }
+
+    /// The exact facing of a face whose corners `corners` yields.
+    #[inline]
+    pub(crate) fn judge(
+        &self,
+        planes: &FacingPlanes,
+        face: FaceId,
+        corners: impl FnOnce(FaceId) -> [Vec3; 3],
+        viewpoint: &Viewpoint,
+    ) -> Judgement {
+        match self.certified(planes, face) {
+            Some(true) => Judgement { facing: Facing::Front, exact_fallback: false },
+            Some(false) => Judgement { facing: Facing::Back, exact_fallback: false },
+            None => fall_back(corners(face), viewpoint),
+        }
+    }
+}
+
+#[cold]
+fn fall_back(corners: [Vec3; 3], viewpoint: &Viewpoint) -> Judgement {
+    Judgement { exact_fallback: true, ..judge(corners, viewpoint) }
+}
+
+impl Artefact for FacingPlanes {
+    const NAME: &'static str = "facing-planes";
+
+    fn build(mesh: &PreparedMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        progress.check()?;
+        progress.stage("facing planes", 1);
+        let planes = Self::new(mesh.mesh());
+        progress.advance(1);
+        Ok(planes)
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self.planes.as_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn coordinate() -> impl Strategy<Value = f32> {
+        let wild = (any::<u32>()).prop_map(f32::from_bits).prop_filter("finite", |x| x.is_finite());
+        prop_oneof![4 => -2.0_f32..2.0, 2 => (-3_i8..3).prop_map(f32::from), 1 => wild]
+    }
+
+    fn point() -> impl Strategy<Value = Vec3> {
+        prop::array::uniform3(coordinate()).prop_map(Vec3::from)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn what_is_certified_is_exact(
+            corners in prop::array::uniform3(point()), others in prop::collection::vec(point(), 0..4),
+            view in point(), is_eye in any::<bool>(), offset in -24_i32..24, scale in -30_i32..30,
+            near_plane in any::<bool>(), weights in prop::array::uniform2(-2.0_f32..2.0),
+        ) {
+            let place = |p: Vec3| p * 2.0_f32.powi(scale) + Vec3::splat(2.0_f32.powi(offset));
+            let corners = corners.map(place);
+            let [a, b, c] = corners;
+            let view = if near_plane { a + (b - a) * weights[0] + (c - a) * weights[1] } else { place(view) };
+            let positions: Vec<Vec3> = corners.into_iter().chain(others.into_iter().map(place)).collect();
+            let mut triangles = vec![[0, 1, 2]];
+            triangles.extend((3..positions.len() as u32).map(|vertex| [0, 1, vertex]));
+            prop_assume!(positions.iter().all(|p| p.is_finite()));
+            let mesh = TriangleMesh::new(positions, triangles).unwrap();
+            let viewpoint = if is_eye {
+                Viewpoint::Perspective { eye: view }
+            } else {
+                Viewpoint::Orthographic { toward_viewer: view }
+            };
+            let planes = FacingPlanes::new(&mesh);
+            let test = planes.test(&viewpoint);
+            for face in (0..mesh.face_count()).map(FaceId::from_usize) {
+                if let Some(is_front) = test.certified(&planes, face) {
+                    let expected = judge(mesh.corners(face), &viewpoint).facing == Facing::Front;
+                    prop_assert_eq!(is_front, expected, "face {} of {:?} from {:?}", face, mesh, viewpoint);
+                }
+            }
+        }
+    }
+
+    /// The bound is not just safe, but of use: a sound one that certifies nothing would pass every other test.
+    #[test]
+    fn hardly_any_face_is_left_open() {
+        let mesh = silhouette_core::shapes::by_name("blob:20000").unwrap();
+        let planes = FacingPlanes::new(&mesh);
+        let viewpoint = Viewpoint::Perspective { eye: Vec3::new(2.0, 1.0, 1.5) };
+        let test = planes.test(&viewpoint);
+        let open = (0..20_000).filter(|&face| test.certified(&planes, FaceId::new(face)).is_none()).count();
+        assert!(open <= 2, "{open}");
+        let edge_on = Viewpoint::Perspective { eye: mesh.positions()[0] };
+        let test = planes.test(&edge_on);
+        assert!((0..20_000).any(|face| test.certified(&planes, FaceId::new(face)).is_none()), "ties are open");
+    }
+}

@@ -1,0 +1,260 @@
+//! [`Tracker`]: the loops of each frame from those of the frame before.
+
+use crate::as_printed::{LoopOrder, list_in_printed_order};
+use crate::brute_force::{check_edges, classify, classify_the_rest};
+use crate::complete_silhouette::FoundLoops;
+use crate::concave_edges::{ActiveEdges, TrackedEdges};
+use crate::detect_new::{detect_in_border_list, detect_in_concave_list};
+use crate::eye_crossing::ClearBall;
+use crate::faces::Faces;
+use crate::facing_planes::FacingPlanes;
+use crate::identity::{LoopEvents, LoopId, LoopIdentities};
+use crate::options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};
+use crate::refuse::NotTrackable;
+use crate::scene::Scene;
+use crate::single_edge::track_single_edges;
+use crate::stats::{BruteForceReason, TrackingStats};
+use crate::track::track_all_edges;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::method::PositionsError;
+use silhouette_core::{FacingMemo, SilhouetteLoops, TriangleMesh, Viewpoint};
+use std::sync::Arc;
+
+/// Follows the silhouette loops of a mesh from frame to frame. See the [crate](crate) for the method and what it costs.
+///
+/// Memory beyond the artefacts: 13 bytes a face (a mark a half-edge, the memory of facings) and copies of the selected
+/// concave edges.
+#[derive(Debug, Clone)]
+pub struct Tracker {
+    scene: Scene,
+    options: TrackingOptions,
+    active: ActiveEdges,
+    memo: FacingMemo,
+    loops: FoundLoops,
+    printed: SilhouetteLoops,
+    identities: LoopIdentities,
+    stats: TrackingStats,
+    last_view: Option<Viewpoint>,
+    clear_ball: ClearBall,
+    /// Box around the mesh where the last frame saw it; differs from the mesh's own after it moved.
+    last_bounds: [DVec3; 2],
+}
+
+impl Tracker {
+    /// A tracker without a past: its first frame is found by brute force. O(F + C) for C concave edges.
+    ///
+    /// `edges` and `planes` are those of `mesh`.
+    ///
+    /// # Errors
+    /// [`NotTrackable`] if the mesh has defects and [`TrackingOptions::mesh_policy`] refuses them.
+    ///
+    /// # Panics
+    /// If `edges` or `planes` are of another mesh.
+    pub fn new(
+        mesh: Arc<TriangleMesh>,
+        edges: Arc<TrackedEdges>,
+        planes: Arc<FacingPlanes>,
+        options: TrackingOptions,
+    ) -> Result<Self, NotTrackable> {
+        assert_eq!(edges.topology().half_edge_count(), 3 * mesh.face_count(), "edges of another mesh");
+        assert_eq!(planes.len(), mesh.face_count(), "planes of another mesh");
+        if options.mesh_policy == MeshPolicy::Refuse && !edges.defects().is_empty() {
+            return Err(NotTrackable { defects: edges.defects().to_vec() });
+        }
+        let last_bounds = planes.bounds();
+        let mut tracker = Self {
+            scene: Scene::new(mesh, edges, planes),
+            options,
+            active: ActiveEdges::default(),
+            memo: FacingMemo::default(),
+            loops: FoundLoops::default(),
+            printed: SilhouetteLoops::default(),
+            identities: LoopIdentities::default(),
+            stats: TrackingStats::default(),
+            last_view: None,
+            clear_ball: ClearBall::default(),
+            last_bounds,
+        };
+        tracker.select();
+        Ok(tracker)
+    }
+
+    /// The loops seen from `viewpoint`: every one closed, none twice, front faces on the left; in the order in which they
+    /// were found, and begun anywhere. [`ids`](Self::ids) names them.
+    ///
+    /// O(old and new silhouette + faces walked over + selected concave edges + borders); O(F) in a frame that is found by
+    /// brute force. One thread. Allocates nothing once memory has grown.
+    ///
+    /// What is missed, and when, stands in the [crate](crate)'s documentation; what is found is always silhouette.
+    pub fn update(&mut self, viewpoint: &Viewpoint) -> &SilhouetteLoops {
+        self.stats = TrackingStats { brute_force: self.reason_for_brute_force(viewpoint), ..TrackingStats::default() };
+        self.loops.begin_frame(3 * self.scene.face_count());
+        self.find(viewpoint);
+        self.loops.end_frame();
+        self.identities.advance(self.loops.loops.len(), &self.loops.relations);
+        self.remember(viewpoint);
+        if self.options.loop_order == LoopOrder::AsPrinted {
+            list_in_printed_order(&self.loops.loops, &mut self.printed);
+        }
+        self.loops()
+    }
+
+    /// Steps 2 to 4 of the paper's Introduction, or step 2 alone.
+    fn find(&mut self, viewpoint: &Viewpoint) {
+        let Self { scene, options, active, memo, loops, stats, .. } = self;
+        let mut faces = Faces::new(scene.surface(), viewpoint, memo);
+        if stats.brute_force.is_some() {
+            classify(&mut faces);
+            check_edges(&mut faces, loops, stats);
+        } else {
+            // Facings that are needed in any case come first, while nothing is known: in one run through memory.
+            faces.evaluate(active.faces.iter().copied());
+            let tracked = match options.tested_edges {
+                TestedEdges::All => track_all_edges(&mut faces, loops, options.walk_start, stats),
+                TestedEdges::Single => track_single_edges(&mut faces, loops, options.walk_start, stats),
+            };
+            stats.loops_tracked = loops.loops.len() as u64;
+            if tracked.is_break() {
+                stats.brute_force = Some(BruteForceReason::LongWalks);
+                classify_the_rest(&mut faces);
+                check_edges(&mut faces, loops, stats);
+            } else {
+                detect_in_concave_list(&mut faces, loops, active, stats);
+                detect_in_border_list(&mut faces, loops, scene.edges().border(), stats);
+                stats.loops_detected = loops.loops.len() as u64 - stats.loops_tracked;
+            }
+        }
+        stats.edges_tested += loops.loops.half_edges().len() as u64;
+        stats.count(&faces.stats);
+    }
+
+    /// Why the next frame must not be tracked, if so.
+    fn reason_for_brute_force(&self, viewpoint: &Viewpoint) -> Option<BruteForceReason> {
+        let Some(last_view) = &self.last_view else { return Some(BruteForceReason::FirstFrame) };
+        if self.loops.loops.is_empty() {
+            return Some(BruteForceReason::NothingToTrack);
+        }
+        let (turn, crossing) = match (*last_view, *viewpoint) {
+            (Viewpoint::Perspective { eye: before }, Viewpoint::Perspective { eye: now }) => {
+                let [min, max] = self.scene.surface().planes.bounds();
+                let bounds = [min.min(self.last_bounds[0]), max.max(self.last_bounds[1])];
+                (self.turn_of_eye(before, now), self.clear_ball.may_have_crossed(bounds, before, now))
+            }
+            (Viewpoint::Orthographic { toward_viewer: before }, Viewpoint::Orthographic { toward_viewer: now }) => {
+                (before.as_dvec3().normalize_or_zero().distance(now.as_dvec3().normalize_or_zero()), false)
+            }
+            _ => (f64::INFINITY, false),
+        };
+        // What is not a number is a jump.
+        let is_small = turn <= self.options.jump;
+        if !is_small {
+            Some(BruteForceReason::Jump)
+        } else if crossing {
+            Some(BruteForceReason::MayHaveCrossed)
+        } else {
+            None
+        }
+    }
+
+    /// A move of the eye as [`TrackingOptions::jump`] measures it.
+    fn turn_of_eye(&self, before: Vec3, now: Vec3) -> f64 {
+        let planes = self.scene.surface().planes;
+        let (before, now) = (before.as_dvec3(), now.as_dvec3());
+        if before == now {
+            return 0.0;
+        }
+        let distance = before.distance(planes.center()).max(planes.radius());
+        before.distance(now) / distance
+    }
+
+    /// Keeps what the next frame has to know of this one.
+    fn remember(&mut self, viewpoint: &Viewpoint) {
+        self.last_view = Some(*viewpoint);
+        let surface = self.scene.surface();
+        let bounds = surface.planes.bounds();
+        self.last_bounds = bounds;
+        let needs_ball = matches!(self.stats.brute_force, Some(reason) if reason != BruteForceReason::LongWalks);
+        if let (true, Viewpoint::Perspective { eye }) = (needs_ball, *viewpoint) {
+            self.clear_ball.measure(&surface, bounds, eye);
+        }
+    }
+
+    /// Forgets all loops, without events: the next frame is found by brute force, and its loops are new.
+    pub fn reset(&mut self) {
+        self.loops.forget();
+        self.printed.clear();
+        self.identities.forget();
+        self.last_view = None;
+    }
+
+    /// Selects the concave edges that the next frames search. O(C + F / 64) for C concave edges; allocates nothing.
+    pub fn set_concavity(&mut self, concavity: Concavity) {
+        self.options.concavity = concavity;
+        self.select();
+    }
+
+    fn select(&mut self) {
+        let level_rad = match self.options.concavity {
+            Concavity::Above(level_rad) => Some(level_rad),
+            Concavity::Ignored => None,
+        };
+        self.active.select(self.scene.concave(), level_rad, self.scene.face_count());
+    }
+
+    /// Makes `positions` (one a vertex, in object space) those of the next frames; topology and loops are kept.
+    ///
+    /// O(V + F + E) for planes and angles and O(C log C) to order C concave edges, on one thread; allocates nothing from
+    /// the second call on, unless a shape has more concave edges than any before. The mesh should move little between
+    /// frames, as the eye should: no jump is noticed. That vertices pass the eye is: the eye must stay outside the box
+    /// around the old and the new positions, or the frame is found by brute force.
+    ///
+    /// # Errors
+    /// [`PositionsError`]; the positions of before then stay in force.
+    pub fn move_mesh(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
+        let bounds = self.scene.surface().planes.bounds();
+        self.scene.update_positions(positions)?;
+        self.last_bounds = [self.last_bounds[0].min(bounds[0]), self.last_bounds[1].max(bounds[1])];
+        self.clear_ball.forget();
+        self.select();
+        Ok(())
+    }
+
+    /// The loops of the last frame.
+    pub fn loops(&self) -> &SilhouetteLoops {
+        match self.options.loop_order {
+            LoopOrder::Corrected => &self.loops.loops,
+            LoopOrder::AsPrinted => &self.printed,
+        }
+    }
+
+    /// The id of each loop of the last frame.
+    pub fn ids(&self) -> &[LoopId] {
+        self.identities.ids()
+    }
+
+    /// What happened to loops between the last two frames.
+    pub fn events(&self) -> &LoopEvents {
+        self.identities.events()
+    }
+
+    /// What the last frame took.
+    pub fn stats(&self) -> &TrackingStats {
+        &self.stats
+    }
+
+    /// The options in force.
+    pub fn options(&self) -> &TrackingOptions {
+        &self.options
+    }
+
+    /// What is tracked of the mesh.
+    pub fn edges(&self) -> &TrackedEdges {
+        self.scene.edges()
+    }
+
+    /// Bytes held beyond the mesh and its artefacts.
+    pub fn bytes(&self) -> usize {
+        let frame = self.memo.bytes() + self.loops.bytes() + self.printed.bytes() + self.identities.bytes();
+        self.scene.bytes() + self.active.bytes() + frame
+    }
+}
