@@ -6,9 +6,11 @@
 //! 1. faces and edges lie in self-contained patches ([`FacePatches`]);
 //! 2. the facing of a patch's lanes is one word, from planes in 16-bit integers; what their proven bound leaves open (one
 //!    face in twenty thousand) is decided by [`silhouette_core::facing::judge`], so the result is exact;
-//! 3. a patch that faces one way has no silhouette edge; in the others, edges are tested 32 at a time without a branch,
-//!    by the widest instructions that the processor has (`pulp` chooses at run time; integers, so the same bits on all);
-//! 4. a set of bits puts the ids in order in linear time.
+//! 3. a patch that faces one way has no silhouette edge; in the others, edges are tested 32 at a time without a branch;
+//! 4. a radix sort puts the ids in order in linear time.
+//!
+//! Steps 2 and 3 are compiled for several instruction sets, of which the widest that the processor has is chosen at run
+//! time (`pulp`); all arithmetic is on integers, so it yields the same bits on all.
 //!
 //! Departures: none from the definition; a face in the halo of a patch is evaluated again there, which costs a quarter
 //! more planes and saves all synchronisation and every look at another patch.
@@ -20,7 +22,7 @@
 use crate::edge_order::EdgeOrder;
 use crate::loop_scratch::LoopScratch;
 use crate::patches::{FacePatches, PatchPlanes};
-use crate::sweep::{Harvest, Sweep};
+use crate::sweep::{Harvest, Sweep, share_among_threads};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::{
@@ -103,16 +105,11 @@ impl ExtractsEdges for BruteForceSimd {
             sweep.positions = &moved.positions;
         }
         let patches = self.patches.len();
-        let work = |(task, harvest): (usize, &mut Harvest)| {
-            harvest.clear();
+        share_among_threads(&mut self.harvests, |task, harvest| {
             let first = task * PATCHES_PER_TASK;
             sweep.visit(first..patches.min(first + PATCHES_PER_TASK), harvest);
-        };
-        match &mut self.harvests[..] {
-            [only] => work((0, only)),
-            several => several.par_iter_mut().enumerate().for_each(work),
-        }
-        let mut stats = ExtractionStats { faces_tested: planes.lane_count(), ..ExtractionStats::default() };
+        });
+        let mut stats = ExtractionStats::default();
         let harvests = &self.harvests;
         harvests.iter().for_each(|harvest| harvest.add_to(&mut stats));
         self.order.sort(harvests.iter().map(Harvest::edges), out);

@@ -21,8 +21,7 @@ use crate::cones::ConeTree;
 use crate::edge_order::EdgeOrder;
 use crate::loop_scratch::LoopScratch;
 use crate::patches::FacePatches;
-use crate::sweep::{Harvest, Sweep};
-use rayon::prelude::*;
+use crate::sweep::{Far, Harvest, Near, Sweep, share_among_threads};
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
@@ -32,15 +31,10 @@ use silhouette_core::{
 use std::sync::Arc;
 
 /// Patches that a task takes. Silhouettes rarely leave more than a few thousand, so tasks are small.
-const PATCHES_PER_TASK: usize = 1024;
+const PATCHES_PER_TASK: usize = 2048;
 
-/// Patches from which a mesh is taken to lie in main memory: 36 MB with their edges, the last-level cache of a workstation.
-/// There a batch is read ahead of its visits, which takes a tenth (3 million faces) to a third (10 million) off a view;
-/// in caches it would add as much.
-const PATCHES_BEYOND_CACHES: usize = 1 << 15;
-
-/// Patches read ahead: 17 cache lines each, more than any core has misses in flight, and all fit the first-level cache.
-const TOUCHED_AT_ONCE: usize = 16;
+/// Patches up to which a mesh is taken to lie in the second-level cache.
+const PATCHES_NEAR: usize = 1 << 12;
 
 /// Finds silhouette edges among those patches that a tree of plane bounds cannot rule out. See the [module](self).
 #[derive(Debug)]
@@ -48,8 +42,6 @@ pub struct ClusterCones {
     mesh: Arc<TriangleMesh>,
     patches: Arc<FacePatches>,
     tree: ConeTree,
-    /// Whether the patches lie beyond the caches, so that they are read ahead of their visits.
-    reads_ahead: bool,
     /// Patches that this view leaves, and the tree's scratch.
     mixed: Vec<u32>,
     queue: Vec<u32>,
@@ -88,7 +80,6 @@ impl Method for ClusterCones {
         let order = EdgeOrder::new(topology.edge_count());
         Ok(Self {
             mesh: Arc::clone(mesh.mesh()),
-            reads_ahead: patches.len() > PATCHES_BEYOND_CACHES,
             patches,
             tree,
             mixed: Vec::new(),
@@ -115,28 +106,15 @@ impl ExtractsEdges for ClusterCones {
         let planes = &self.patches.planes;
         let sweep = Sweep::new(&self.mesh, &self.patches.layout, planes, viewpoint);
         let nodes_visited = self.tree.mixed_patches(viewpoint, planes.frame(), &mut self.queue, &mut self.mixed);
-        let reads_ahead = self.reads_ahead;
-        let batch = if reads_ahead { TOUCHED_AT_ONCE } else { PATCHES_PER_TASK };
+        let is_far = self.patches.len() > PATCHES_NEAR;
         let tasks = self.mixed.len().div_ceil(PATCHES_PER_TASK);
-        let work = |(patches, harvest): (&[u32], &mut Harvest)| {
-            harvest.clear();
-            for batch in patches.chunks(batch) {
-                let batch = batch.iter().map(|&patch| patch as usize);
-                if reads_ahead {
-                    sweep.touch(batch.clone());
-                }
-                let lanes = batch.clone().map(|patch| u64::from(planes.open[patch].count_ones()));
-                harvest.stats.faces_tested += lanes.sum::<u64>();
-                sweep.visit(batch, harvest);
-            }
-        };
-        match &mut self.harvests[..tasks] {
-            [] => {}
-            [only] => work((&self.mixed, only)),
-            several => self.mixed.par_chunks(PATCHES_PER_TASK).zip(several).for_each(work),
-        }
+        let harvests = &mut self.harvests[..tasks];
+        share_among_threads(harvests, |task, harvest| {
+            let first = task * PATCHES_PER_TASK;
+            let patches = &self.mixed[first..self.mixed.len().min(first + PATCHES_PER_TASK)];
+            if is_far { sweep.visit(Far(patches), harvest) } else { sweep.visit(Near(patches), harvest) }
+        });
         let mut stats = ExtractionStats { nodes_visited, ..ExtractionStats::default() };
-        let harvests = &self.harvests[..tasks];
         harvests.iter().for_each(|harvest| harvest.add_to(&mut stats));
         self.order.sort(harvests.iter().map(Harvest::edges), out);
         stats
@@ -151,29 +129,5 @@ impl ExtractsLoops for ClusterCones {
         loops.walk(&self.topology, corners, viewpoint, &mut stats, out);
         self.loops = loops;
         stats
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use silhouette_core::glam::Vec3;
-    use silhouette_core::{NoProgress, shapes};
-
-    #[test]
-    fn reading_ahead_changes_nothing() {
-        let mesh = Arc::new(PreparedMesh::new(shapes::by_name("blob:20000").unwrap()));
-        let options = OptionValues::defaults(ClusterCones::INFO.options);
-        let mut method = ClusterCones::prepare(&mesh, &options, &NoProgress).unwrap();
-        let view = Viewpoint::Perspective { eye: Vec3::new(0.5, 3.0, 1.0) };
-        let mut extract = |reads_ahead| {
-            method.reads_ahead = reads_ahead;
-            let mut edges = SilhouetteEdges::default();
-            let stats = method.extract_edges(&view, &mut edges);
-            (edges, stats)
-        };
-        let (edges, stats) = extract(false);
-        assert!(edges.len() > 100);
-        assert_eq!(extract(true), (edges, stats));
     }
 }

@@ -14,6 +14,7 @@ pub mod brute_force_simd;
 pub mod cluster_cones;
 mod cones;
 mod edge_order;
+mod kernels;
 mod loop_scratch;
 mod patches;
 pub mod randomized;

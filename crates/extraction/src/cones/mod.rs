@@ -5,10 +5,12 @@
 
 mod bound;
 
+use crate::kernels::{Kernel, KernelTask, dispatch};
 use crate::patches::order::FAN_OUT;
 use crate::patches::planes::{Frame, homogeneous, unit_normal};
 use crate::patches::{PatchLayout, PatchPlanes};
 use bound::{EVALUATION_ERROR, PlaneBound, Side};
+use pulp::Arch;
 use rayon::prelude::*;
 use silhouette_core::{TriangleMesh, Viewpoint};
 use wide::f32x8;
@@ -37,6 +39,14 @@ impl Siblings {
             low: lane(|b| b.low),
             high: lane(|b| b.high),
             exist: (1 << bounds.len()) - 1,
+        }
+    }
+
+    /// Asks for all cache lines of these bounds.
+    #[inline(always)]
+    fn prefetch<K: Kernel>(&self, kernel: K) {
+        for numbers in [&self.anchor[0], &self.anchor[2], &self.normal[1], &self.radius, &self.high] {
+            kernel.prefetch(numbers);
         }
     }
 
@@ -110,27 +120,50 @@ impl ConeTree {
         };
         let point = point.as_vec4();
         let view = View { direction: [point.x, point.y, point.z].map(f32x8::splat), weight: f32x8::splat(point.w) };
-        let mut nodes = 0;
+        let mut descent = Descent { tree: self, view, queue, mixed, nodes: 0 };
+        dispatch(Arch::new(), &mut descent);
+        descent.nodes
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        self.levels.iter().map(|level| size_of_val(level.as_slice())).sum()
+    }
+}
+
+/// One view's way down the tree.
+struct Descent<'a> {
+    tree: &'a ConeTree,
+    view: View,
+    queue: &'a mut Vec<u32>,
+    mixed: &'a mut Vec<u32>,
+    nodes: u64,
+}
+
+/// How many groups before its own turn a group is asked for.
+const GROUPS_AHEAD: usize = 8;
+
+impl KernelTask for &mut Descent<'_> {
+    #[inline(always)]
+    fn run<K: Kernel>(self, kernel: K) {
+        let Descent { tree, view, queue, mixed, nodes } = self;
         // `mixed` holds the groups to look at on this level; at the top there is one.
-        mixed.extend((!self.levels.is_empty()).then_some(0));
-        for level in self.levels.iter().rev() {
-            std::mem::swap(queue, mixed);
+        mixed.extend((!tree.levels.is_empty()).then_some(0));
+        for level in tree.levels.iter().rev() {
+            std::mem::swap(*queue, *mixed);
             mixed.clear();
-            for &group in &*queue {
+            for (index, &group) in queue.iter().enumerate() {
+                if let Some(&ahead) = queue.get(index + GROUPS_AHEAD) {
+                    level[ahead as usize].prefetch(kernel);
+                }
                 let siblings = &level[group as usize];
-                nodes += u64::from(siblings.exist.count_ones());
-                let mut bits = siblings.mixed(&view);
+                *nodes += u64::from(siblings.exist.count_ones());
+                let mut bits = siblings.mixed(view);
                 while bits != 0 {
                     mixed.push(group * FAN_OUT as u32 + bits.trailing_zeros());
                     bits &= bits - 1;
                 }
             }
         }
-        nodes
-    }
-
-    pub(crate) fn bytes(&self) -> usize {
-        self.levels.iter().map(|level| size_of_val(level.as_slice())).sum()
     }
 }
 

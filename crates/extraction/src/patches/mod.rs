@@ -39,11 +39,6 @@ pub(crate) struct PairBlock {
 }
 
 impl PairBlock {
-    /// Something from its cache line.
-    pub(crate) fn touch(&self) -> u8 {
-        self.first[0]
-    }
-
     /// A bit for each edge whose faces differ in `facings`.
     #[inline(always)]
     pub(crate) fn differing(&self, facings: u64) -> u32 {

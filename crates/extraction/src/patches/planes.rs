@@ -42,7 +42,6 @@
 
 use glam::{DVec3, DVec4, Vec3};
 use silhouette_core::{Viewpoint, glam};
-use wide::{i16x8, i32x4};
 
 /// Faces in a block: one machine word of facings.
 pub(crate) const LANES: usize = 64;
@@ -131,44 +130,49 @@ fn round(value: f64) -> i16 {
     (value * SCALE + 0.5_f64.copysign(value)) as i16
 }
 
-/// Planes of 64 faces, in quads: `N_1 N_2` of four faces, then `N_3 D` of the same four. That is the shape that
+/// Faces in a group: their pairs of numbers fill a cache line, and the widest vector of any processor.
+pub(crate) const GROUP: usize = 16;
+
+/// Planes of 64 faces, in groups: `N_1 N_2` of sixteen faces, then `N_3 D` of the same sixteen. That is the shape that
 /// multiply-add instructions take, and a pass reads memory strictly forwards.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(crate) struct PlaneBlock([[i16; 16]; LANES / 4]);
+pub(crate) struct PlaneBlock([[[i16; 2 * GROUP]; 2]; LANES / GROUP]);
 
 impl Default for PlaneBlock {
     fn default() -> Self {
-        Self([[0; 16]; LANES / 4])
+        Self([[[0; 2 * GROUP]; 2]; LANES / GROUP])
     }
 }
 
 impl PlaneBlock {
     pub(crate) fn set(&mut self, lane: usize, [x, y, z, offset]: [i16; 4]) {
-        let (quad, place) = (&mut self.0[lane / 4], 2 * (lane % 4));
-        (quad[place], quad[place + 1], quad[place + 8], quad[place + 9]) = (x, y, z, offset);
+        let ([xy, zd], place) = (&mut self.0[lane / GROUP], 2 * (lane % GROUP));
+        (xy[place], xy[place + 1], zd[place], zd[place + 1]) = (x, y, z, offset);
     }
-}
 
-impl PlaneBlock {
-    /// Something from every cache line.
-    pub(crate) fn touch(&self) -> u64 {
-        self.0.iter().step_by(2).fold(0, |bits, quads| bits ^ quads[0] as u64)
+    /// `N_1 N_2` and `N_3 D` of each group: a cache line each.
+    #[inline(always)]
+    pub(crate) fn groups(&self) -> &[[[i16; 2 * GROUP]; 2]; LANES / GROUP] {
+        &self.0
     }
 }
 
 /// A viewpoint in integers and the bound that goes with it.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
 pub(crate) struct PlaneTest {
-    first: i16x8,
-    second: i16x8,
-    bound: i32,
+    /// `X_1 X_2`, again and again: as many as a group has.
+    pub(crate) first: [i16; 2 * GROUP],
+    /// `X_3 Q`, likewise.
+    pub(crate) second: [i16; 2 * GROUP],
+    pub(crate) bound: i32,
 }
 
 impl PlaneTest {
     pub(crate) fn new(viewpoint: &Viewpoint, frame: &Frame) -> Self {
         let Some(homogeneous) = homogeneous(viewpoint, frame) else {
-            return Self { first: i16x8::ZERO, second: i16x8::ZERO, bound: i32::MAX };
+            return Self { first: [0; 2 * GROUP], second: [0; 2 * GROUP], bound: i32::MAX };
         };
         let scaled = homogeneous * SCALE;
         let rounded = scaled.round();
@@ -176,13 +180,9 @@ impl PlaneTest {
         let bound = PLANE_ROUNDING * rounded.abs().element_sum()
             + SCALE * (residual.truncate().length() + residual.w.abs())
             + 1.0;
-        Self { bound: bound.ceil() as i32, ..Self::from_rounded(rounded) }
-    }
-
-    fn from_rounded(rounded: DVec4) -> Self {
         let [x, y, z, q] = rounded.to_array().map(|value| value as i16);
-        let pairs = |a, b| i16x8::new([a, b, a, b, a, b, a, b]);
-        Self { first: pairs(x, y), second: pairs(z, q), bound: 0 }
+        let pairs = |a, b| std::array::from_fn(|index| if index % 2 == 0 { a } else { b });
+        Self { first: pairs(x, y), second: pairs(z, q), bound: bound.ceil() as i32 }
     }
 
     /// The same test with another bound, to show what the bound is for.
@@ -190,26 +190,12 @@ impl PlaneTest {
     pub(crate) fn with_bound(self, bound: i32) -> Self {
         Self { bound, ..self }
     }
-
-    /// Bits of the faces that are front for certain, and bits of those that this test cannot decide.
-    #[inline(always)]
-    pub(crate) fn facings(&self, planes: &PlaneBlock) -> (u64, u64) {
-        let (high, low) = (i32x4::splat(self.bound), i32x4::splat(-self.bound));
-        let (mut front, mut back) = (0_u64, 0_u64);
-        for (quad, planes) in planes.0.iter().enumerate() {
-            let (first, second) = planes.split_at(8);
-            let value = i16x8::from_slice_unaligned(first).dot(self.first)
-                + i16x8::from_slice_unaligned(second).dot(self.second);
-            front |= u64::from(value.simd_gt(high).to_bitmask()) << (4 * quad);
-            back |= u64::from(value.simd_lt(low).to_bitmask()) << (4 * quad);
-        }
-        (front, !(front | back))
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kernels::{Baseline, Kernel};
     use proptest::prelude::*;
     use silhouette_core::facing::{Facing, judge};
 
@@ -225,7 +211,8 @@ mod tests {
             Some(plane) => block.set(37, plane),
             None => return Some(Facing::Back),
         }
-        let (front, unsure) = test.facings(&block);
+        let [front, back] = Baseline.front_and_back(&test, &block);
+        let unsure = !(front | back);
         assert_eq!((front & !(1 << 37), unsure & !(1 << 37)), (0, !(1 << 37)), "lanes are independent");
         (unsure >> 37 & 1 == 0).then_some(if front >> 37 & 1 == 1 { Facing::Front } else { Facing::Back })
     }
