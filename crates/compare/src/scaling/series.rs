@@ -70,8 +70,16 @@ fn sizes(rows: &[&ExtractionRow]) -> usize {
     rows.chunk_by(|a, b| a.faces == b.faces).count()
 }
 
-/// `builtin:blob` of `builtin:blob:70000`: meshes of the same shape. `None` for files, each a shape of its own.
+/// `builtin:blob` of `builtin:blob:70000`, `x.obj+loop` of `x.obj+loop2`: meshes of the same shape. `None` for other files,
+/// each a shape of its own.
 fn shape(mesh: &str) -> Option<&str> {
+    const SUBDIVIDED: &str = "+loop";
+    let levels = mesh.rfind(SUBDIVIDED).map(|at| mesh.split_at(at + SUBDIVIDED.len()));
+    if let Some((shape, levels)) = levels
+        && levels.parse::<u32>().is_ok()
+    {
+        return Some(shape);
+    }
     let name = mesh.strip_prefix("builtin:")?;
     let end = name.find(':').unwrap_or(name.len());
     Some(&mesh[..mesh.len() - name.len() + end])
@@ -117,5 +125,8 @@ mod tests {
         assert_eq!(shape("builtin:gear"), Some("builtin:gear"));
         assert_eq!(shape("builtin:torus:64,32"), Some("builtin:torus"));
         assert_eq!(shape("gear.obj"), None);
+        assert_eq!(shape("gear.obj+loop2"), Some("gear.obj+loop"));
+        assert_eq!(shape("builtin:torus:64,32+loop0"), Some("builtin:torus:64,32+loop"));
+        assert_eq!(shape("gear+loop2.obj"), None);
     }
 }
