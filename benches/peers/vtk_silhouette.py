@@ -7,7 +7,7 @@ of back faces, and evaluates signs in floating point.
 
 Usage:
     pip install vtk numpy
-    python3 vtk_silhouette.py MESH.obj... [--views 200] [--output rows.jsonl]
+    python3 vtk_silhouette.py MESH... [--views 200] [--output rows.jsonl]
 """
 
 from extraction_rows import np, run
@@ -41,4 +41,4 @@ def prepare(positions, triangles):
 
 
 if __name__ == "__main__":
-    run("vtk", "vtkPolyDataSilhouette", prepare)
+    run("vtk", {"vtkPolyDataSilhouette": prepare})
