@@ -66,6 +66,7 @@ impl SilhouetteLoops {
     }
 
     /// Appends a half-edge to the loop that is being formed.
+    #[inline]
     pub fn push(&mut self, half_edge: HalfEdgeId) {
         self.half_edges.push(half_edge);
     }

@@ -7,8 +7,8 @@
 
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::TrackedEdges;
+use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::faces::Faces;
-use crate::facing_planes::FacingPlanes;
 use crate::scene::Scene;
 use crate::stats::TrackingStats;
 use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, SilhouetteLoops, TriangleMesh, Viewpoint};
@@ -34,8 +34,9 @@ pub(crate) fn check_edges(faces: &mut Faces, loops: &mut FoundLoops, stats: &mut
             continue;
         }
         stats.edges_tested += 3;
-        for half_edge in [0, 1, 2].map(|slot| HalfEdgeId::of(face, slot)) {
-            let is_silhouette = faces.twin(half_edge).is_none_or(|across| !faces.recall(across.face()));
+        for slot in 0..3 {
+            let half_edge = HalfEdgeId::of(face, slot);
+            let is_silhouette = faces.across(Side::new(face, slot)).is_none_or(|across| !faces.recall(across.face));
             if is_silhouette && loops.loop_of(half_edge).is_none() {
                 loops.complete(faces, half_edge);
             }
@@ -54,8 +55,11 @@ pub struct BruteForce {
 
 impl BruteForce {
     /// For a mesh and what [`Tracker`](crate::Tracker) prepares of it; defects are cut.
-    pub fn new(mesh: Arc<TriangleMesh>, edges: Arc<TrackedEdges>, planes: Arc<FacingPlanes>) -> Self {
-        let scene = Scene::new(mesh, edges, planes);
+    ///
+    /// # Panics
+    /// If the table is of another mesh.
+    pub fn new(mesh: Arc<TriangleMesh>, table: Arc<ConnectivityTable>, edges: Arc<TrackedEdges>) -> Self {
+        let scene = Scene::new(mesh, table, edges);
         Self { scene, memo: FacingMemo::default(), loops: FoundLoops::default(), stats: TrackingStats::default() }
     }
 

@@ -1,16 +1,18 @@
 //! Complete Silhouette (Hall 2003): from one silhouette half-edge all of its loop; and the set of loops found so far.
 //!
-//! The walk is [`next_silhouette_half_edge`]: it hugs the front faces along the silhouette until it is back. Departures,
-//! all of which concern the printed text ([`as_printed`](crate::as_printed)): it runs forward, so that front faces are on
-//! the left; it stops where it began; it lists half-edges of front faces.
+//! The walk hugs the front faces along the silhouette until it is back: from a half-edge it turns about the end vertex,
+//! inside the fan of front faces. Each turn is undone by one the other way, so the walk is a permutation of the silhouette
+//! half-edges and always comes back. Departures, all of which concern the printed text
+//! ([`as_printed`](crate::as_printed)): it runs forward, so that front faces are on the left; it stops where it began; it
+//! lists half-edges of front faces. (It is what `silhouette_core::loops` does for any mesh, on the table of this one.)
 //!
 //! The set that keeps double silhouettes out is a mark a half-edge, which says in which loop it lies and whether that loop
 //! is of this frame or of the last. So completing a loop also learns, at no further cost, from which old loops its
 //! half-edges came.
 
+use crate::connectivity_table::Side;
 use crate::faces::Faces;
 use crate::identity::Relation;
-use silhouette_core::loops::next_silhouette_half_edge;
 use silhouette_core::{HalfEdgeId, SilhouetteLoops};
 
 /// The loops of this frame, those of the last, and what relates them.
@@ -91,10 +93,9 @@ impl FoundLoops {
         let mark = (index + 1) << 1 | self.parity;
         // The old loop that the walk runs along, as a mark, and for how long it has.
         let (mut along, mut shared) = (0, 0);
-        let topology = faces.surface.topology;
-        let mut is_front = |face| faces.is_front(face);
-        let mut half_edge = start;
+        let mut side = Side::of(start);
         loop {
+            let half_edge = side.half_edge();
             let before = std::mem::replace(&mut self.marks[half_edge.index()], mark);
             if before == along {
                 shared += 1;
@@ -105,8 +106,8 @@ impl FoundLoops {
                 (along, shared) = (before, 1);
             }
             self.loops.push(half_edge);
-            half_edge = next_silhouette_half_edge(topology, &mut is_front, |_, _| true, half_edge);
-            if half_edge == start {
+            side = next_silhouette_side(faces, side);
+            if side.half_edge() == start {
                 break;
             }
         }
@@ -122,4 +123,16 @@ impl FoundLoops {
         let relations = size_of_val(self.relations.as_slice());
         size_of_val(self.marks.as_slice()) + self.loops.bytes() + self.old.bytes() + relations
     }
+}
+
+/// The silhouette half-edge that follows another in its loop. O(faces in the fan).
+#[inline]
+fn next_silhouette_side(faces: &mut Faces, side: Side) -> Side {
+    let mut candidate = side.next_in_face();
+    while let Some(across) = faces.across(candidate)
+        && faces.is_front(across.face)
+    {
+        candidate = across.next_in_face();
+    }
+    candidate
 }

@@ -8,16 +8,13 @@
 //! lie: no view sees both, as at a border. So has an edge of a face whose plane 64-bit arithmetic cannot tell (needles, no
 //! area): such a face may stay back while all around it turns.
 
-use crate::facing_planes::FacingPlanes;
-use crate::refuse::{self, Defect};
+use crate::connectivity_table::ConnectivityTable;
 use silhouette_core::facing::{Facing, judge};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::progress::Cancelled;
-use silhouette_core::topology::Twin;
-use silhouette_core::{EdgeId, FaceId, HalfEdgeId, PreparedMesh, Progress, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{FaceId, HalfEdgeId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
 use std::f32::consts::PI;
-use std::sync::Arc;
 
 /// Sine below which two faces on opposite sides of a half-turn count as folded onto each other.
 const FOLD_SINE: f64 = 1e-6;
@@ -31,13 +28,11 @@ pub struct ConcaveEdge {
     pub angle_rad: f32,
 }
 
-/// Concave edges, borders and defects of a mesh: what tracking prepares. 16 bytes a concave edge, 4 a border edge.
+/// Concave edges and borders of a mesh: where new silhouettes are searched. 16 bytes a concave edge, 4 a border edge.
 #[derive(Debug, Clone)]
 pub struct TrackedEdges {
-    topology: Arc<Topology>,
     concave: ConcaveEdges,
     border: Vec<HalfEdgeId>,
-    defects: Vec<Defect>,
 }
 
 /// Concave edges in order of decreasing angle.
@@ -49,23 +44,13 @@ pub(crate) struct ConcaveEdges {
 }
 
 impl TrackedEdges {
-    /// Finds the edges. Defects are listed, and cut in the topology that comes back from
-    /// [`topology`](Self::topology); whether a mesh with defects is to be tracked is for others to say.
-    ///
-    /// O(F + E), and O(C log C) for C concave edges.
-    pub fn new(mesh: &TriangleMesh, topology: &Arc<Topology>, planes: &FacingPlanes) -> Self {
-        let defects = refuse::defects(mesh, topology);
-        let topology = refuse::cut(topology, &defects);
+    /// Finds the edges of a mesh with this table. O(F + E), and O(C log C) for C concave edges.
+    pub fn new(mesh: &TriangleMesh, table: &ConnectivityTable) -> Self {
         let mut concave = ConcaveEdges::default();
-        concave.find(mesh.positions(), mesh.triangles(), &topology, planes);
-        let half_edges = (0..topology.half_edge_count()).map(HalfEdgeId::from_usize);
-        let border = half_edges.filter(|&half_edge| topology.twin(half_edge) == Twin::Border).collect();
-        Self { topology, concave, border, defects }
-    }
-
-    /// The topology to track on: that of the mesh, cut at all defects.
-    pub fn topology(&self) -> &Arc<Topology> {
-        &self.topology
+        concave.find(mesh.positions(), mesh.triangles(), table);
+        let half_edges = (0..3 * table.face_count()).map(HalfEdgeId::from_usize);
+        let border = half_edges.filter(|&half_edge| table.twin(half_edge).is_none()).collect();
+        Self { concave, border }
     }
 
     /// Concave edges in order of decreasing angle, equal angles in the order of half-edges.
@@ -78,11 +63,6 @@ impl TrackedEdges {
         &self.border
     }
 
-    /// Edges that cannot be tracked across, ascending.
-    pub fn defects(&self) -> &[Defect] {
-        &self.defects
-    }
-
     pub(crate) fn concave_edges(&self) -> &ConcaveEdges {
         &self.concave
     }
@@ -91,22 +71,14 @@ impl TrackedEdges {
 impl ConcaveEdges {
     /// Replaces the edges by those of other positions. O(E), and O(C log C) for C concave edges; no allocation from the
     /// second call on.
-    pub(crate) fn find(
-        &mut self,
-        positions: &[Vec3],
-        triangles: &[[u32; 3]],
-        topology: &Topology,
-        planes: &FacingPlanes,
-    ) {
-        let shape = Shape { positions, triangles, planes };
+    pub(crate) fn find(&mut self, positions: &[Vec3], triangles: &[[u32; 3]], table: &ConnectivityTable) {
+        let shape = Shape { positions, triangles, table };
         self.by_angle.clear();
-        let edges = (0..topology.edge_count()).map(EdgeId::from_usize);
-        self.by_angle.extend(edges.filter_map(|edge| match *topology.half_edges(edge) {
-            [one, other] if topology.twin(one) != Twin::Border => {
-                let angle_rad = shape.concave_angle(one, other)?;
-                Some(ConcaveEdge { half_edges: [one, other], angle_rad })
-            }
-            _ => None,
+        let half_edges = (0..3 * table.face_count()).map(HalfEdgeId::from_usize);
+        self.by_angle.extend(half_edges.filter_map(|one| {
+            let other = table.twin(one).filter(|&other| one < other)?;
+            let angle_rad = shape.concave_angle(one, other)?;
+            Some(ConcaveEdge { half_edges: [one, other], angle_rad })
         }));
         self.by_angle
             .sort_unstable_by(|a, b| b.angle_rad.total_cmp(&a.angle_rad).then_with(|| a.half_edges.cmp(&b.half_edges)));
@@ -131,7 +103,7 @@ impl ConcaveEdges {
 struct Shape<'a> {
     positions: &'a [Vec3],
     triangles: &'a [[u32; 3]],
-    planes: &'a FacingPlanes,
+    table: &'a ConnectivityTable,
 }
 
 impl Shape<'_> {
@@ -143,7 +115,7 @@ impl Shape<'_> {
     fn concave_angle(&self, one: HalfEdgeId, other: HalfEdgeId) -> Option<f32> {
         let corners = self.corners(one.face());
         let other_corners = self.corners(other.face());
-        if !(self.planes.is_reliable(one.face()) && self.planes.is_reliable(other.face())) {
+        if !(self.table.is_reliable(one.face()) && self.table.is_reliable(other.face())) {
             return Some(PI);
         }
         let far_corner = other_corners[(other.slot() as usize + 2) % 3];
@@ -163,18 +135,16 @@ impl Artefact for TrackedEdges {
     const NAME: &'static str = "tracked-edges";
 
     fn build(mesh: &PreparedMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
-        let topology = mesh.artefact::<Topology>(Self::NAME, progress)?;
-        let planes = mesh.artefact::<FacingPlanes>(Self::NAME, progress)?;
+        let table = mesh.artefact::<ConnectivityTable>(Self::NAME, progress)?;
         progress.check()?;
         progress.stage("concave edges", 1);
-        let edges = Self::new(mesh.mesh(), &topology, &planes);
+        let edges = Self::new(mesh.mesh(), &table);
         progress.advance(1);
         Ok(edges)
     }
 
     fn bytes(&self) -> usize {
-        let cut = if self.defects.is_empty() { 0 } else { Artefact::bytes(&*self.topology) };
-        self.concave.bytes() + size_of_val(self.border.as_slice()) + size_of_val(self.defects.as_slice()) + cut
+        self.concave.bytes() + size_of_val(self.border.as_slice())
     }
 }
 

@@ -78,7 +78,7 @@ fn clearance(surface: &Surface, point: DVec3) -> f64 {
         }
         nearest = nearest.min(distance_to_triangle(point, [a, b, c]));
     }
-    let scale = point.abs().element_sum() + surface.planes.center().abs().element_sum() + surface.planes.radius();
+    let scale = point.abs().element_sum() + surface.table.center().abs().element_sum() + surface.table.radius();
     nearest * (1.0 - ROUNDING) - scale * ROUNDING
 }
 
@@ -106,18 +106,23 @@ fn distance_to_segment(point: DVec3, from: DVec3, to: DVec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FacingPlanes;
+    use crate::ConnectivityTable;
     use silhouette_core::{Topology, TriangleMesh};
+    use std::sync::Arc;
+
+    fn table(mesh: &TriangleMesh) -> ConnectivityTable {
+        ConnectivityTable::new(mesh, &Arc::new(Topology::new(mesh)))
+    }
 
     fn crossed(mesh: &TriangleMesh, measured_at: Option<Vec3>, before: Vec3, now: Vec3) -> bool {
-        let (planes, topology) = (FacingPlanes::new(mesh), Topology::new(mesh));
+        let table = table(mesh);
         let (positions, triangles) = (mesh.positions(), mesh.triangles());
-        let surface = Surface { topology: &topology, positions, triangles, planes: &planes };
+        let surface = Surface { positions, triangles, table: &table };
         let mut ball = ClearBall::default();
         if let Some(eye) = measured_at {
-            ball.measure(&surface, planes.bounds(), eye);
+            ball.measure(&surface, table.bounds(), eye);
         }
-        ball.may_have_crossed(planes.bounds(), before, now)
+        ball.may_have_crossed(table.bounds(), before, now)
     }
 
     #[test]
@@ -137,9 +142,9 @@ mod tests {
     #[test]
     fn the_clear_ball_never_reaches_a_corner_or_an_inner_point_of_a_face() {
         let mesh = silhouette_core::shapes::by_name("blob:400").unwrap();
-        let (planes, topology) = (FacingPlanes::new(&mesh), Topology::new(&mesh));
+        let table = table(&mesh);
         let (positions, triangles) = (mesh.positions(), mesh.triangles());
-        let surface = Surface { topology: &topology, positions, triangles, planes: &planes };
+        let surface = Surface { positions, triangles, table: &table };
         for step in 0..200_i16 {
             let t = f64::from(step);
             let eye = DVec3::new((0.37 * t).sin(), (0.91 * t).cos(), (0.53 * t).sin()) * (0.2 + 0.01 * t);

@@ -1,25 +1,29 @@
 //! The faces of one view: facing on demand, each evaluated at most once.
 
-use crate::facing_planes::{FacingPlanes, PlaneTest};
+use crate::connectivity_table::{ConnectivityTable, Side};
+use crate::plane_test::PlaneTest;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractionStats;
-use silhouette_core::topology::Twin;
-use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, Topology, Viewpoint};
+use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, Viewpoint};
 
 /// What a frame sees of the mesh.
 #[derive(Clone, Copy)]
 pub(crate) struct Surface<'a> {
-    pub topology: &'a Topology,
     pub positions: &'a [Vec3],
     pub triangles: &'a [[u32; 3]],
-    pub planes: &'a FacingPlanes,
+    pub table: &'a ConnectivityTable,
+}
+
+impl Surface<'_> {
+    fn corners(&self, face: FaceId) -> [Vec3; 3] {
+        self.triangles[face.index()].map(|vertex| self.positions[vertex as usize])
+    }
 }
 
 /// Facings of one view of a surface, and what finding them took.
 pub(crate) struct Faces<'a> {
     pub surface: Surface<'a>,
     test: PlaneTest,
-    viewpoint: Viewpoint,
     memo: &'a mut FacingMemo,
     pub stats: ExtractionStats,
 }
@@ -28,16 +32,14 @@ impl<'a> Faces<'a> {
     /// Nothing is known of the view yet.
     pub fn new(surface: Surface<'a>, viewpoint: &Viewpoint, memo: &'a mut FacingMemo) -> Self {
         memo.begin_view(surface.triangles.len());
-        let test = surface.planes.test(viewpoint);
-        Self { surface, test, viewpoint: *viewpoint, memo, stats: ExtractionStats::default() }
+        Self { surface, test: surface.table.test(viewpoint), memo, stats: ExtractionStats::default() }
     }
 
     /// Whether a face is front.
     #[inline]
     pub fn is_front(&mut self, face: FaceId) -> bool {
-        let Self { surface, test, viewpoint, memo, stats } = self;
-        let corners = |face: FaceId| surface.triangles[face.index()].map(|vertex| surface.positions[vertex as usize]);
-        memo.is_front_by(face, |face| test.judge(surface.planes, face, corners, viewpoint), stats)
+        let Self { surface, test, memo, stats } = self;
+        memo.is_front_by(face, |face| test.judge(surface.table.plane(face), || surface.corners(face)), stats)
     }
 
     /// Whether a face is front that was asked for before.
@@ -49,11 +51,10 @@ impl<'a> Faces<'a> {
     /// Evaluates faces of which nothing is known yet, each named once: without the question whether it is known, whose
     /// answer no branch predictor could guess.
     pub fn evaluate(&mut self, faces: impl ExactSizeIterator<Item = FaceId>) {
-        let Self { surface, test, viewpoint, memo, stats } = self;
-        let corners = |face: FaceId| surface.triangles[face.index()].map(|vertex| surface.positions[vertex as usize]);
+        let Self { surface, test, memo, stats } = self;
         stats.faces_tested += faces.len() as u64;
         for face in faces {
-            let judgement = test.judge(surface.planes, face, corners, viewpoint);
+            let judgement = test.judge(surface.table.plane(face), || surface.corners(face));
             stats.exact_fallbacks += u64::from(judgement.exact_fallback);
             memo.record(face, judgement.facing);
         }
@@ -62,10 +63,12 @@ impl<'a> Faces<'a> {
     /// The half-edge across, if there is a face across.
     #[inline]
     pub fn twin(&self, half_edge: HalfEdgeId) -> Option<HalfEdgeId> {
-        match self.surface.topology.twin(half_edge) {
-            Twin::HalfEdge(twin) => Some(twin),
-            // Non-manifold edges were cut before tracking began.
-            Twin::Border | Twin::NonManifold => None,
-        }
+        self.surface.table.twin(half_edge)
+    }
+
+    /// The side across, if there is a face across.
+    #[inline]
+    pub fn across(&self, side: Side) -> Option<Side> {
+        self.surface.table.across(side)
     }
 }

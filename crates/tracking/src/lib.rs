@@ -2,8 +2,9 @@
 //!
 //! T. Hall, "Silhouette Tracking", 2003. The steps, in the paper's order:
 //!
-//! 1. `concave_edges` (Preparation): concave edges in order of decreasing angle, and the border; [`facing_planes`]: the
-//!    plane equations; `refuse` (Restrictions): meshes that cannot be tracked, or are cut.
+//! 1. `connectivity_table` (Preparation): neighbours and plane of each face; `plane_test`: facing by the plane;
+//!    `concave_edges`: concave edges in order of decreasing angle, and the border; `refuse` (Restrictions): meshes that
+//!    cannot be tracked, or are cut.
 //! 2. [`brute_force`]: the first frame.
 //! 3. `track` (Tracking the Silhouette): each edge of the old loops is tested; `find_silhouette_edge` walks from one that
 //!    is no silhouette any more to one that is; `complete_silhouette` walks the whole loop from there; `single_edge`
@@ -39,20 +40,21 @@
 //! # Cost
 //!
 //! A tracked frame: O(S + faces walked over + selected concave edges + borders) for S silhouette edges, on one thread,
-//! without allocation. Preparation: O(F + E + C log C) for C concave edges. Memory: 29 bytes a face and 32 a concave edge.
+//! without allocation. Preparation: O(F + E + C log C) for C concave edges. Memory: 45 bytes a face and 32 a concave edge.
 
 pub mod as_printed;
 pub mod brute_force;
 mod complete_silhouette;
 mod concave_edges;
+mod connectivity_table;
 mod detect_new;
 mod eye_crossing;
 mod faces;
-pub mod facing_planes;
 mod find_silhouette_edge;
 pub mod identity;
 mod method;
 mod options;
+mod plane_test;
 mod refuse;
 mod scene;
 mod single_edge;
@@ -62,7 +64,7 @@ mod tracker;
 
 pub use brute_force::BruteForce;
 pub use concave_edges::{ConcaveEdge, TrackedEdges};
-pub use facing_planes::FacingPlanes;
+pub use connectivity_table::ConnectivityTable;
 pub use identity::{LoopEvent, LoopEvents, LoopId, LoopIdentities, Relation};
 pub use method::Tracking;
 pub use options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};

@@ -2,7 +2,7 @@
 
 use crate::as_printed::{LoopOrder, WalkStart};
 use crate::concave_edges::TrackedEdges;
-use crate::facing_planes::FacingPlanes;
+use crate::connectivity_table::ConnectivityTable;
 use crate::options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};
 use crate::tracker::Tracker;
 use silhouette_core::glam::Vec3;
@@ -98,15 +98,15 @@ impl Method for Tracking {
                   more the higher its level.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
         exact: false,
-        needs: &[FacingPlanes::NAME, Topology::NAME, TrackedEdges::NAME],
+        needs: &[ConnectivityTable::NAME, Topology::NAME, TrackedEdges::NAME],
         options: OPTIONS,
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, values: &OptionValues, progress: &dyn Progress) -> Result<Self, PrepareError> {
         let options = options(values)?;
-        let planes = mesh.artefact::<FacingPlanes>(Self::INFO.name, progress)?;
+        let table = mesh.artefact::<ConnectivityTable>(Self::INFO.name, progress)?;
         let edges = mesh.artefact::<TrackedEdges>(Self::INFO.name, progress)?;
-        let tracker = Tracker::new(Arc::clone(mesh.mesh()), edges, planes, options);
+        let tracker = Tracker::new(Arc::clone(mesh.mesh()), table, edges, options);
         Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?.into())
     }
 
@@ -118,7 +118,7 @@ impl Method for Tracking {
 impl ExtractsEdges for Tracking {
     fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
         self.tracker.update(viewpoint);
-        let topology = self.tracker.edges().topology();
+        let topology = self.tracker.table().topology();
         out.refill(self.tracker.loops().half_edges().iter().map(|&half_edge| topology.edge_of(half_edge)));
         self.tracker.stats().extraction()
     }
@@ -134,7 +134,7 @@ impl ExtractsLoops for Tracking {
     fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats {
         self.tracker.update(viewpoint);
         let Self { tracker, starts } = self;
-        out.refill_ordered(tracker.edges().topology(), tracker.loops(), starts);
+        out.refill_ordered(tracker.table().topology(), tracker.loops(), starts);
         tracker.stats().extraction()
     }
 }

@@ -1,8 +1,8 @@
 //! What is tracked: a mesh, or its topology with this frame's positions.
 
 use crate::concave_edges::{ConcaveEdges, TrackedEdges};
+use crate::connectivity_table::ConnectivityTable;
 use crate::faces::Surface;
-use crate::facing_planes::FacingPlanes;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::PositionsError;
 use silhouette_core::{TriangleMesh, VertexId};
@@ -13,29 +13,36 @@ use std::sync::Arc;
 pub(crate) struct Scene {
     mesh: Arc<TriangleMesh>,
     edges: Arc<TrackedEdges>,
-    planes: Arc<FacingPlanes>,
+    table: Arc<ConnectivityTable>,
     moved: Option<Box<Moved>>,
 }
 
 /// This frame's positions and what depends on them.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 struct Moved {
     positions: Vec<Vec3>,
-    planes: FacingPlanes,
+    table: ConnectivityTable,
     concave: ConcaveEdges,
 }
 
 impl Scene {
-    pub fn new(mesh: Arc<TriangleMesh>, edges: Arc<TrackedEdges>, planes: Arc<FacingPlanes>) -> Self {
-        Self { mesh, edges, planes, moved: None }
+    /// # Panics
+    /// If the table is of another mesh.
+    pub fn new(mesh: Arc<TriangleMesh>, table: Arc<ConnectivityTable>, edges: Arc<TrackedEdges>) -> Self {
+        assert_eq!(table.face_count(), mesh.face_count(), "table of another mesh");
+        Self { mesh, table, edges, moved: None }
     }
 
     pub fn surface(&self) -> Surface<'_> {
-        let (positions, planes) = match &self.moved {
-            Some(moved) => (moved.positions.as_slice(), &moved.planes),
-            None => (self.mesh.positions(), &*self.planes),
+        let (positions, table) = match &self.moved {
+            Some(moved) => (moved.positions.as_slice(), &moved.table),
+            None => (self.mesh.positions(), &*self.table),
         };
-        Surface { topology: self.edges.topology(), positions, triangles: self.mesh.triangles(), planes }
+        Surface { positions, triangles: self.mesh.triangles(), table }
+    }
+
+    pub fn table(&self) -> &ConnectivityTable {
+        &self.table
     }
 
     pub fn edges(&self) -> &TrackedEdges {
@@ -59,23 +66,22 @@ impl Scene {
         if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
             return Err(PositionsError::NotFinite { vertex: VertexId::from_usize(vertex) });
         }
-        let topology = self.edges.topology();
         let moved = self.moved.get_or_insert_with(|| {
-            let mut moved = Box::<Moved>::default();
-            moved.concave.reserve(topology.edge_count());
-            moved
+            let mut concave = ConcaveEdges::default();
+            concave.reserve(self.table.topology().edge_count());
+            Box::new(Moved { positions: Vec::new(), table: (*self.table).clone(), concave })
         });
         moved.positions.clear();
         moved.positions.extend_from_slice(positions);
-        moved.planes.compute(positions, self.mesh.triangles());
-        moved.concave.find(positions, self.mesh.triangles(), topology, &moved.planes);
+        moved.table.place(positions, self.mesh.triangles());
+        moved.concave.find(positions, self.mesh.triangles(), &moved.table);
         Ok(())
     }
 
     /// Bytes held beyond the mesh and its artefacts.
     pub fn bytes(&self) -> usize {
         self.moved.as_ref().map_or(0, |moved| {
-            size_of_val(moved.positions.as_slice()) + 16 * self.mesh.face_count() + moved.concave.bytes()
+            size_of_val(moved.positions.as_slice()) + 32 * self.mesh.face_count() + moved.concave.bytes()
         })
     }
 }

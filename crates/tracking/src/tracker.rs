@@ -4,10 +4,10 @@ use crate::as_printed::{LoopOrder, list_in_printed_order};
 use crate::brute_force::{check_edges, classify, classify_the_rest};
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::{ActiveEdges, TrackedEdges};
+use crate::connectivity_table::ConnectivityTable;
 use crate::detect_new::{detect_in_border_list, detect_in_concave_list};
 use crate::eye_crossing::ClearBall;
 use crate::faces::Faces;
-use crate::facing_planes::FacingPlanes;
 use crate::identity::{LoopEvents, LoopId, LoopIdentities};
 use crate::options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};
 use crate::refuse::NotTrackable;
@@ -43,27 +43,25 @@ pub struct Tracker {
 impl Tracker {
     /// A tracker without a past: its first frame is found by brute force. O(F + C) for C concave edges.
     ///
-    /// `edges` and `planes` are those of `mesh`.
+    /// `table` and `edges` are those of `mesh`.
     ///
     /// # Errors
     /// [`NotTrackable`] if the mesh has defects and [`TrackingOptions::mesh_policy`] refuses them.
     ///
     /// # Panics
-    /// If `edges` or `planes` are of another mesh.
+    /// If `table` is of another mesh.
     pub fn new(
         mesh: Arc<TriangleMesh>,
+        table: Arc<ConnectivityTable>,
         edges: Arc<TrackedEdges>,
-        planes: Arc<FacingPlanes>,
         options: TrackingOptions,
     ) -> Result<Self, NotTrackable> {
-        assert_eq!(edges.topology().half_edge_count(), 3 * mesh.face_count(), "edges of another mesh");
-        assert_eq!(planes.len(), mesh.face_count(), "planes of another mesh");
-        if options.mesh_policy == MeshPolicy::Refuse && !edges.defects().is_empty() {
-            return Err(NotTrackable { defects: edges.defects().to_vec() });
+        if options.mesh_policy == MeshPolicy::Refuse && !table.defects().is_empty() {
+            return Err(NotTrackable { defects: table.defects().to_vec() });
         }
-        let last_bounds = planes.bounds();
+        let last_bounds = table.bounds();
         let mut tracker = Self {
-            scene: Scene::new(mesh, edges, planes),
+            scene: Scene::new(mesh, table, edges),
             options,
             active: ActiveEdges::default(),
             memo: FacingMemo::default(),
@@ -136,7 +134,7 @@ impl Tracker {
         }
         let (turn, crossing) = match (*last_view, *viewpoint) {
             (Viewpoint::Perspective { eye: before }, Viewpoint::Perspective { eye: now }) => {
-                let [min, max] = self.scene.surface().planes.bounds();
+                let [min, max] = self.scene.surface().table.bounds();
                 let bounds = [min.min(self.last_bounds[0]), max.max(self.last_bounds[1])];
                 (self.turn_of_eye(before, now), self.clear_ball.may_have_crossed(bounds, before, now))
             }
@@ -158,12 +156,12 @@ impl Tracker {
 
     /// A move of the eye as [`TrackingOptions::jump`] measures it.
     fn turn_of_eye(&self, before: Vec3, now: Vec3) -> f64 {
-        let planes = self.scene.surface().planes;
+        let table = self.scene.surface().table;
         let (before, now) = (before.as_dvec3(), now.as_dvec3());
         if before == now {
             return 0.0;
         }
-        let distance = before.distance(planes.center()).max(planes.radius());
+        let distance = before.distance(table.center()).max(table.radius());
         before.distance(now) / distance
     }
 
@@ -171,7 +169,7 @@ impl Tracker {
     fn remember(&mut self, viewpoint: &Viewpoint) {
         self.last_view = Some(*viewpoint);
         let surface = self.scene.surface();
-        let bounds = surface.planes.bounds();
+        let bounds = surface.table.bounds();
         self.last_bounds = bounds;
         let needs_ball = matches!(self.stats.brute_force, Some(reason) if reason != BruteForceReason::LongWalks);
         if let (true, Viewpoint::Perspective { eye }) = (needs_ball, *viewpoint) {
@@ -211,7 +209,7 @@ impl Tracker {
     /// # Errors
     /// [`PositionsError`]; the positions of before then stay in force.
     pub fn move_mesh(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
-        let bounds = self.scene.surface().planes.bounds();
+        let bounds = self.scene.surface().table.bounds();
         self.scene.update_positions(positions)?;
         self.last_bounds = [self.last_bounds[0].min(bounds[0]), self.last_bounds[1].max(bounds[1])];
         self.clear_ball.forget();
@@ -247,7 +245,12 @@ impl Tracker {
         &self.options
     }
 
-    /// What is tracked of the mesh.
+    /// Neighbours and planes, the topology that is tracked on, and its defects.
+    pub fn table(&self) -> &ConnectivityTable {
+        self.scene.table()
+    }
+
+    /// Where new silhouettes are searched.
     pub fn edges(&self) -> &TrackedEdges {
         self.scene.edges()
     }

@@ -24,7 +24,7 @@ fn assert_well_formed(mesh: &TriangleMesh, loops: &SilhouetteLoops, context: &st
 /// first were found by brute force though there was something to track.
 fn equals_brute_force(scene: &Scene, views: impl Iterator<Item = Viewpoint>) -> usize {
     let mut tracker = scene.tracker(TrackingOptions::default());
-    let topology = scene.edges.topology();
+    let topology = scene.table.topology();
     let mut oracle = Oracle::default();
     let mut fresh_frames = 0;
     for (frame, view) in views.enumerate() {
@@ -55,14 +55,14 @@ fn level_0_equals_brute_force_on_built_in_shapes() {
 #[test]
 fn level_0_equals_brute_force_on_real_meshes() {
     for scene in real_meshes("level_0_equals_brute_force_on_real_meshes") {
-        if !scene.edges.defects().is_empty() {
+        if !scene.table.defects().is_empty() {
             continue;
         }
         let frames = if scene.mesh.face_count() < 15_000 { 500 } else { 40 };
         for step_deg in [0.1, 1.0, 10.0] {
             let fresh_frames = equals_brute_force(&scene, scene.orbit(step_deg, frames));
-            // Many small inverted pieces, and steps larger than they are: walks that lead nowhere.
-            let share = if scene.name == "boeing.off" { 10 } else { 100 };
+            // Steps larger than the loops of small or inverted pieces: walks that lead nowhere.
+            let share = if step_deg > 1.0 { 10 } else { 100 };
             assert!(fresh_frames <= 2 + frames as usize / share, "{}: {fresh_frames} at {step_deg} deg", scene.name);
         }
     }
@@ -76,7 +76,7 @@ fn without_concave_edges_new_loops_are_missed() {
         let mut tracker = scene.tracker(TrackingOptions { concavity, ..TrackingOptions::default() });
         let mut oracle = Oracle::default();
         let missed = |view| {
-            let all = oracle.look(&scene.mesh, scene.edges.topology(), &view).half_edges().len();
+            let all = oracle.look(&scene.mesh, scene.table.topology(), &view).half_edges().len();
             all - tracker.update(&view).half_edges().len()
         };
         scene.orbit(1.0, 360).map(missed).sum::<usize>()
@@ -94,7 +94,7 @@ fn loops_are_found_whole_or_not_at_all() {
         for (level_rad, tested) in [(0.0, TestedEdges::Single), (0.1, TestedEdges::All), (9.0, TestedEdges::Single)] {
             let mut tracker = scene.tracker(options(level_rad, tested));
             let mut oracle = Oracle::default();
-            let topology: &Topology = scene.edges.topology();
+            let topology: &Topology = scene.table.topology();
             for view in scene.orbit(3.0, 60) {
                 let expected = oracle.look(&scene.mesh, topology, &view);
                 let expected: BTreeSet<&[_]> = expected.iter().collect();

@@ -7,7 +7,8 @@ use silhouette_core::{
     FaceFacings, NoProgress, PreparedMesh, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint, load,
 };
 use silhouette_tracking::{
-    BruteForce, Concavity, FacingPlanes, MeshPolicy, NotTrackable, TestedEdges, TrackedEdges, Tracker, TrackingOptions,
+    BruteForce, Concavity, ConnectivityTable, MeshPolicy, NotTrackable, TestedEdges, TrackedEdges, Tracker,
+    TrackingOptions,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,15 +18,15 @@ pub struct Scene {
     pub name: String,
     pub mesh: Arc<TriangleMesh>,
     pub edges: Arc<TrackedEdges>,
-    pub planes: Arc<FacingPlanes>,
+    pub table: Arc<ConnectivityTable>,
 }
 
 impl Scene {
     pub fn new(name: impl Into<String>, mesh: TriangleMesh) -> Self {
         let prepared = PreparedMesh::new(mesh);
         let edges = prepared.artefact("test", &NoProgress).unwrap();
-        let planes = prepared.artefact("test", &NoProgress).unwrap();
-        Self { name: name.into(), mesh: Arc::clone(prepared.mesh()), edges, planes }
+        let table = prepared.artefact("test", &NoProgress).unwrap();
+        Self { name: name.into(), mesh: Arc::clone(prepared.mesh()), edges, table }
     }
 
     pub fn builtin(name: &str) -> Self {
@@ -33,7 +34,7 @@ impl Scene {
     }
 
     pub fn try_tracker(&self, options: TrackingOptions) -> Result<Tracker, NotTrackable> {
-        Tracker::new(Arc::clone(&self.mesh), Arc::clone(&self.edges), Arc::clone(&self.planes), options)
+        Tracker::new(Arc::clone(&self.mesh), Arc::clone(&self.table), Arc::clone(&self.edges), options)
     }
 
     pub fn tracker(&self, options: TrackingOptions) -> Tracker {
@@ -41,7 +42,7 @@ impl Scene {
     }
 
     pub fn brute_force(&self) -> BruteForce {
-        BruteForce::new(Arc::clone(&self.mesh), Arc::clone(&self.edges), Arc::clone(&self.planes))
+        BruteForce::new(Arc::clone(&self.mesh), Arc::clone(&self.table), Arc::clone(&self.edges))
     }
 
     /// A view from `distance_radii` of the bounding sphere.

@@ -1,4 +1,4 @@
-//! The plane equation of each face (Hall 2003, Preparation), in 32 bits and yet exact.
+//! Facing by a face's plane equation (Hall 2003, Definitions), in 32 bits and yet exact.
 //!
 //! A plane is a unit normal `n` and an offset `d`, relative to the middle `c` of the mesh, computed in 64 bits from the
 //! corners and then rounded; the test of a view is `v = n . (P - c) + d`, four products of 32-bit floats, and the sign of
@@ -20,11 +20,9 @@
 //! Overflow makes the bound infinite and certifies nothing. For an orthographic view along `W` the offset plays no part
 //! and the bound is `8u |W|_1`.
 
+use silhouette_core::Viewpoint;
 use silhouette_core::facing::{Facing, Judgement, judge};
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::prepared::Artefact;
-use silhouette_core::progress::Cancelled;
-use silhouette_core::{FaceId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
 
 /// A face's sides span less than this sine: its plane is not trusted to 64 bits. See the [module](self).
 const NEEDLE_SINE: f64 = 1.0 / 262_144.0;
@@ -38,100 +36,13 @@ const RECENTRE_BOUND: f64 = 4.0 * f64::EPSILON;
 /// Bounds beyond this are taken as infinite, so that no partial sum of a certified test overflows.
 const LARGEST_REACH: f64 = f32::MAX as f64 / 16.0;
 
-/// The planes of all faces, 16 bytes each.
-#[derive(Debug, Clone, Default)]
-pub struct FacingPlanes {
-    planes: Vec<[f32; 4]>,
-    center: DVec3,
-    /// Largest distance of a used vertex from `center`.
-    radius: f64,
-    /// Box around the used vertices; empty (`min > max`) without faces.
-    bounds: [DVec3; 2],
-}
-
-impl FacingPlanes {
-    /// The planes of a mesh. O(F).
-    pub fn new(mesh: &TriangleMesh) -> Self {
-        let mut planes = Self::default();
-        planes.compute(mesh.positions(), mesh.triangles());
-        planes
-    }
-
-    /// Replaces the planes by those of other positions. O(F), no allocation from the second call on.
-    pub(crate) fn compute(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) {
-        let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize].as_dvec3());
-        let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-        let extend = |[min, max]: [DVec3; 2], p: DVec3| [min.min(p), max.max(p)];
-        self.bounds = triangles.iter().flat_map(corners).fold(empty, extend);
-        let [min, max] = self.bounds;
-        self.center = if triangles.is_empty() { DVec3::ZERO } else { (min + max) * 0.5 };
-        let center = self.center;
-        self.radius = triangles.iter().flat_map(corners).map(|p| p.distance_squared(center)).fold(0.0, f64::max).sqrt();
-        self.planes.clear();
-        self.planes.extend(triangles.iter().map(|triangle| plane(corners(triangle), center)));
-    }
-
-    /// Number of faces.
-    pub fn len(&self) -> usize {
-        self.planes.len()
-    }
-
-    /// Whether there is no face.
-    pub fn is_empty(&self) -> bool {
-        self.planes.is_empty()
-    }
-
-    /// Middle of the box around the mesh, in object space.
-    pub(crate) fn center(&self) -> DVec3 {
-        self.center
-    }
-
-    /// Radius of the mesh about [`center`](Self::center).
-    pub(crate) fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// Lowest and highest corner of the box around the mesh; lowest above highest where there is no face.
-    pub(crate) fn bounds(&self) -> [DVec3; 2] {
-        self.bounds
-    }
-
-    /// Whether the plane of a face is known to 32 bits; not so for needles and faces without area.
-    pub(crate) fn is_reliable(&self, face: FaceId) -> bool {
-        self.planes[face.index()][..3].iter().any(|&coordinate| coordinate != 0.0)
-    }
-
-    /// The test of a view.
-    pub(crate) fn test(&self, viewpoint: &Viewpoint) -> PlaneTest {
-        let (point, weight, error) = match *viewpoint {
-            Viewpoint::Perspective { eye } => {
-                let relative = eye.as_dvec3() - self.center;
-                let reach = l1(relative) + self.radius;
-                let far = l1(self.center) + l1(eye.as_dvec3());
-                (
-                    relative,
-                    1.0,
-                    if reach < LARGEST_REACH { RELATIVE_BOUND * reach + RECENTRE_BOUND * far } else { f64::INFINITY },
-                )
-            }
-            Viewpoint::Orthographic { toward_viewer } => {
-                let direction = toward_viewer.as_dvec3();
-                let reach = l1(direction) + self.radius;
-                (direction, 0.0, if reach < LARGEST_REACH { RELATIVE_BOUND * l1(direction) } else { f64::INFINITY })
-            }
-        };
-        let [x, y, z] = point.as_vec3().to_array();
-        PlaneTest { point: [x, y, z, weight], error: (error * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE }
-    }
-}
-
 /// Sum of magnitudes.
 fn l1(v: DVec3) -> f64 {
     v.abs().element_sum()
 }
 
-/// Normal and offset, or zeros where 64 bits do not suffice.
-fn plane([v0, v1, v2]: [DVec3; 3], center: DVec3) -> [f32; 4] {
+/// Unit normal and offset of a face relative to `center`, or zeros where 64 bits do not suffice.
+pub(crate) fn plane([v0, v1, v2]: [DVec3; 3], center: DVec3) -> [f32; 4] {
     let (a, b) = (v1 - v0, v2 - v0);
     let normal = a.cross(b);
     let length = normal.length();
@@ -147,33 +58,45 @@ fn plane([v0, v1, v2]: [DVec3; 3], center: DVec3) -> [f32; 4] {
 /// One view against any plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlaneTest {
+    viewpoint: Viewpoint,
     point: [f32; 4],
     error: f32,
 }
 
 impl PlaneTest {
+    /// The test of a view of planes relative to `center`, whose faces lie within `radius` of it.
+    pub fn new(viewpoint: &Viewpoint, center: DVec3, radius: f64) -> Self {
+        let (point, weight, error) = match *viewpoint {
+            Viewpoint::Perspective { eye } => {
+                let eye = eye.as_dvec3();
+                let reach = l1(eye - center) + radius;
+                (eye - center, 1.0, bound(reach, RELATIVE_BOUND * reach + RECENTRE_BOUND * (l1(center) + l1(eye))))
+            }
+            Viewpoint::Orthographic { toward_viewer } => {
+                let direction = toward_viewer.as_dvec3();
+                (direction, 0.0, bound(l1(direction) + radius, RELATIVE_BOUND * l1(direction)))
+            }
+        };
+        let [x, y, z] = point.as_vec3().to_array();
+        Self { viewpoint: *viewpoint, point: [x, y, z, weight], error }
+    }
+
     /// Whether a face is front; `None` where the bound does not tell.
     #[inline]
-    fn certified(&self, planes: &FacingPlanes, face: FaceId) -> Option<bool> {
-        let (p, n) = (&self.point, &planes.planes[face.index()]);
+    fn certified(&self, n: &[f32; 4]) -> Option<bool> {
+        let p = &self.point;
         let distance = (p[0] * n[0] + p[1] * n[1]) + (p[2] * n[2] + p[3] * n[3]);
-        // Not `<=`: what is not a number is not certain.
+        // What is not a number is not certain.
         if distance.abs() > self.error { Some(distance > 0.0) } else { None }
     }
 
-    /// The exact facing of a face whose corners `corners` yields.
+    /// The exact facing of a face with this plane, whose corners `corners` yields.
     #[inline]
-    pub(crate) fn judge(
-        &self,
-        planes: &FacingPlanes,
-        face: FaceId,
-        corners: impl FnOnce(FaceId) -> [Vec3; 3],
-        viewpoint: &Viewpoint,
-    ) -> Judgement {
-        match self.certified(planes, face) {
+    pub fn judge(&self, plane: &[f32; 4], corners: impl FnOnce() -> [Vec3; 3]) -> Judgement {
+        match self.certified(plane) {
             Some(true) => Judgement { facing: Facing::Front, exact_fallback: false },
             Some(false) => Judgement { facing: Facing::Back, exact_fallback: false },
-            None => fall_back(corners(face), viewpoint),
+            None => fall_back(corners(), &self.viewpoint),
         }
     }
 }
@@ -183,26 +106,22 @@ fn fall_back(corners: [Vec3; 3], viewpoint: &Viewpoint) -> Judgement {
     Judgement { exact_fallback: true, ..judge(corners, viewpoint) }
 }
 
-impl Artefact for FacingPlanes {
-    const NAME: &'static str = "facing-planes";
-
-    fn build(mesh: &PreparedMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
-        progress.check()?;
-        progress.stage("facing planes", 1);
-        let planes = Self::new(mesh.mesh());
-        progress.advance(1);
-        Ok(planes)
-    }
-
-    fn bytes(&self) -> usize {
-        size_of_val(self.planes.as_slice())
-    }
+/// A bound as a 32-bit float that is not below it; infinite where partial sums could overflow.
+fn bound(reach: f64, error: f64) -> f32 {
+    if reach < LARGEST_REACH { (error * (1.0 + 1e-6)) as f32 + f32::MIN_POSITIVE } else { f32::INFINITY }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ConnectivityTable;
     use proptest::prelude::*;
+    use silhouette_core::{FaceId, Topology, TriangleMesh};
+    use std::sync::Arc;
+
+    fn table(mesh: &TriangleMesh) -> ConnectivityTable {
+        ConnectivityTable::new(mesh, &Arc::new(Topology::new(mesh)))
+    }
 
     fn coordinate() -> impl Strategy<Value = f32> {
         let wild = (any::<u32>()).prop_map(f32::from_bits).prop_filter("finite", |x| x.is_finite());
@@ -236,10 +155,10 @@ mod tests {
             } else {
                 Viewpoint::Orthographic { toward_viewer: view }
             };
-            let planes = FacingPlanes::new(&mesh);
-            let test = planes.test(&viewpoint);
+            let table = table(&mesh);
+            let test = table.test(&viewpoint);
             for face in (0..mesh.face_count()).map(FaceId::from_usize) {
-                if let Some(is_front) = test.certified(&planes, face) {
+                if let Some(is_front) = test.certified(table.plane(face)) {
                     let expected = judge(mesh.corners(face), &viewpoint).facing == Facing::Front;
                     prop_assert_eq!(is_front, expected, "face {} of {:?} from {:?}", face, mesh, viewpoint);
                 }
@@ -251,13 +170,13 @@ mod tests {
     #[test]
     fn hardly_any_face_is_left_open() {
         let mesh = silhouette_core::shapes::by_name("blob:20000").unwrap();
-        let planes = FacingPlanes::new(&mesh);
+        let table = table(&mesh);
         let viewpoint = Viewpoint::Perspective { eye: Vec3::new(2.0, 1.0, 1.5) };
-        let test = planes.test(&viewpoint);
-        let open = (0..20_000).filter(|&face| test.certified(&planes, FaceId::new(face)).is_none()).count();
+        let test = table.test(&viewpoint);
+        let open = (0..20_000).filter(|&face| test.certified(table.plane(FaceId::new(face))).is_none()).count();
         assert!(open <= 2, "{open}");
         let edge_on = Viewpoint::Perspective { eye: mesh.positions()[0] };
-        let test = planes.test(&edge_on);
-        assert!((0..20_000).any(|face| test.certified(&planes, FaceId::new(face)).is_none()), "ties are open");
+        let test = table.test(&edge_on);
+        assert!((0..20_000).any(|face| test.certified(table.plane(FaceId::new(face))).is_none()), "ties are open");
     }
 }

@@ -1,0 +1,53 @@
+use crate::scenes::{Scene, options, real_meshes, skipped};
+use silhouette_core::glam::DVec3;
+use silhouette_tracking::TestedEdges;
+
+/// The paper's speed-ups on the bunny by level: over brute force, which evaluates every face.
+const PAPER: [(f32, f64); 6] = [(0.0, 1.13), (0.01, 1.29), (0.1, 2.60), (0.2, 4.28), (0.5, 6.90), (1.0, 7.88)];
+
+/// Speed-up counted in faces: all of them over those that a frame evaluates. The path of the paper's camera is not known;
+/// this one circles the bunny from below, 0.1 degrees a frame, two radii from its middle, sampled by twelve arcs.
+fn counted(scene: &Scene, level_rad: f32) -> f64 {
+    let mut tracker = scene.tracker(options(level_rad, TestedEdges::All));
+    let (sin_up, cos_up) = (-40.0_f64).to_radians().sin_cos();
+    let (mut evaluated, mut frames) = (0, 0);
+    for arc in 0..12_u8 {
+        tracker.reset();
+        for frame in 0..8_u8 {
+            let (sin, cos) = (24.0 + 30.0 * f64::from(arc) + 0.1 * f64::from(frame)).to_radians().sin_cos();
+            tracker.update(&scene.view(DVec3::new(cos * cos_up, sin_up, sin * cos_up), 2.0));
+            if frame > 0 {
+                assert_eq!(tracker.stats().brute_force, None);
+                evaluated += tracker.stats().faces_evaluated;
+                frames += 1;
+            }
+        }
+    }
+    (scene.mesh.face_count() * frames) as f64 / evaluated as f64
+}
+
+#[test]
+fn counted_speed_ups_on_the_bunny_are_those_of_the_paper() {
+    let test = "counted_speed_ups_on_the_bunny_are_those_of_the_paper";
+    let meshes = real_meshes(test);
+    let Some(bunny) = meshes.iter().find(|scene| scene.name == "stanford-bunny.obj") else {
+        return skipped(test, "no stanford-bunny.obj");
+    };
+    assert_eq!(bunny.mesh.face_count(), 69_451, "the paper's bunny");
+    for (level_rad, paper) in PAPER {
+        let ratio = counted(bunny, level_rad) / paper;
+        assert!((1.0 / 1.15..1.15).contains(&ratio), "{ratio:.3} of the paper's {paper} at level {level_rad}");
+    }
+}
+
+/// Each level evaluates fewer faces than the one below, and brute force all of them.
+#[test]
+fn higher_levels_evaluate_less() {
+    let scene = Scene::builtin("blob:4000");
+    let counts = PAPER.map(|(level_rad, _)| counted(&scene, level_rad));
+    assert!(counts.is_sorted(), "{counts:?}");
+    assert!(counts[0] > 1.05 && counts[5] > 1.5 * counts[0], "{counts:?}");
+    let mut brute_force = scene.brute_force();
+    brute_force.update(&scene.orbit(0.0, 1).next().unwrap());
+    assert_eq!(brute_force.stats().faces_evaluated, 4000);
+}

@@ -1,0 +1,89 @@
+use crate::scenes::{Scene, ordered, real_meshes};
+use silhouette_core::glam::Vec3;
+use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::shapes::by_name;
+use silhouette_core::{EdgeId, FaceId, Method, NoProgress, PreparedMesh, TriangleMesh};
+use silhouette_tracking::{DefectKind, MeshPolicy, Tracking, TrackingOptions};
+use std::sync::Arc;
+
+/// A blob with a fin on one of its edges, and with one face turned over.
+fn faulty() -> TriangleMesh {
+    let mesh = by_name("blob:600").unwrap();
+    let (mut positions, mut triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
+    let [a, b, _] = triangles[300];
+    positions.push(positions[a as usize] * 1.4);
+    triangles.push([a, b, positions.len() as u32 - 1]);
+    triangles[100].swap(0, 1);
+    TriangleMesh::new(positions, triangles).unwrap()
+}
+
+#[test]
+fn defects_are_refused_by_name() {
+    let scene = Scene::new("faulty", faulty());
+    let refusal = scene.try_tracker(TrackingOptions::default()).unwrap_err();
+    let of_kind = |kind| refusal.defects.iter().filter(move |defect| defect.kind == kind);
+    let fin: Vec<_> = of_kind(DefectKind::NonManifold).collect();
+    assert_eq!(fin.len(), 1);
+    assert!(fin[0].faces.contains(&FaceId::new(300)) && fin[0].faces.contains(&FaceId::new(600)));
+    let turned: Vec<_> = of_kind(DefectKind::InconsistentWinding).collect();
+    assert_eq!(turned.len(), 3);
+    assert!(turned.iter().all(|defect| defect.faces.contains(&FaceId::new(100)) && defect.faces.len() == 2));
+    let first = &refusal.defects[0];
+    let message = refusal.to_string();
+    assert!(message.contains(&format!("edge {}", first.edge)) && message.starts_with("4 edges"), "{message}");
+}
+
+#[test]
+fn the_method_passes_the_refusal_on() {
+    let mesh = Arc::new(PreparedMesh::new(faulty()));
+    let defaults = OptionValues::defaults(Tracking::INFO.options);
+    let refusal = Tracking::prepare(&mesh, &defaults, &NoProgress).unwrap_err();
+    assert!(matches!(refusal, PrepareError::Mesh(_)), "{refusal}");
+    let cut = OptionValues::parse(Tracking::INFO.options, ["mesh=cut"]).unwrap();
+    assert!(Tracking::prepare(&mesh, &cut, &NoProgress).is_ok());
+    let mut needs: Vec<_> = mesh.report().iter().map(|report| report.name).collect();
+    needs.sort_unstable();
+    assert_eq!(needs, Tracking::INFO.needs);
+}
+
+/// On a mesh that was cut, tracking equals brute force on the same cut mesh, and every loop closes.
+fn tracks_when_cut(scene: &Scene) {
+    let mut tracker = scene.tracker(TrackingOptions { mesh_policy: MeshPolicy::Cut, ..TrackingOptions::default() });
+    let mut brute_force = scene.brute_force();
+    let topology = scene.table.topology();
+    for view in scene.orbit(2.0, 90) {
+        let expected = ordered(topology, brute_force.update(&view));
+        let found = ordered(topology, tracker.update(&view));
+        assert_eq!(found, expected, "{} from {view:?}", scene.name);
+        let start = |half_edge| silhouette_core::loops::start_vertex(&scene.mesh, half_edge);
+        for half_edges in found.iter() {
+            let ends = half_edges.iter().map(|half_edge| start(half_edge.next_in_face()));
+            assert!(ends.eq(half_edges[1..].iter().chain(&half_edges[..1]).map(|&next| start(next))), "{}", scene.name);
+        }
+    }
+}
+
+#[test]
+fn meshes_that_were_cut_are_tracked_as_any_other() {
+    tracks_when_cut(&Scene::new("faulty", faulty()));
+    tracks_when_cut(&Scene::builtin("moebius"));
+    let book: Vec<Vec3> = [[0, 0, 0], [0, 1, 0], [1, 0, 0], [-1, 0, 1], [-1, 0, -1]]
+        .map(|p: [i8; 3]| Vec3::from(p.map(f32::from)))
+        .to_vec();
+    tracks_when_cut(&Scene::new("book", TriangleMesh::new(book, vec![[0, 1, 2], [0, 1, 3], [0, 1, 4]]).unwrap()));
+    for scene in real_meshes("meshes_that_were_cut_are_tracked_as_any_other") {
+        if !scene.table.defects().is_empty() {
+            tracks_when_cut(&scene);
+        }
+    }
+}
+
+#[test]
+fn a_severed_edge_is_a_border_for_each_of_its_faces() {
+    let scene = Scene::new("faulty", faulty());
+    let topology = scene.table.topology();
+    let edges: Vec<EdgeId> = scene.table.defects().iter().map(|defect| defect.edge).collect();
+    let cut: usize = edges.iter().map(|&edge| topology.half_edges(edge).len()).sum();
+    assert_eq!(cut, 3 + 3 * 2);
+    assert_eq!(scene.edges.border().len(), cut + 2, "and the fin has two sides of its own");
+}

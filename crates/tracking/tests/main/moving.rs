@@ -1,0 +1,71 @@
+use crate::scenes::{Oracle, Scene, ordered, zoo};
+use silhouette_core::glam::Vec3;
+use silhouette_core::method::ExtractsMovingEdges;
+use silhouette_core::method::PositionsError;
+use silhouette_core::{ExtractsEdges, SilhouetteEdges, TriangleMesh, VertexId};
+use silhouette_tracking::{BruteForceReason, Tracking, TrackingOptions};
+
+/// A twist that grows with time.
+fn twisted(mesh: &TriangleMesh, time: f32) -> Vec<Vec3> {
+    let twist = |p: &Vec3| {
+        let (sin, cos) = (p.y * time).sin_cos();
+        Vec3::new(p.x * cos - p.z * sin, p.y * (1.0 + 0.3 * time), p.x * sin + p.z * cos)
+    };
+    mesh.positions().iter().map(twist).collect()
+}
+
+#[test]
+fn a_mesh_that_moves_equals_brute_force_in_each_frame() {
+    for scene in zoo() {
+        let mut tracker = scene.tracker(TrackingOptions::default());
+        let mut oracle = Oracle::default();
+        let mut tracked = 0;
+        for (frame, view) in scene.orbit(0.5, 60).enumerate() {
+            let positions = twisted(&scene.mesh, frame as f32 * 0.01);
+            tracker.move_mesh(&positions).unwrap();
+            let frozen = TriangleMesh::new(positions, scene.mesh.triangles().to_vec()).unwrap();
+            let expected = oracle.look(&frozen, scene.table.topology(), &view);
+            let found = ordered(scene.table.topology(), tracker.update(&view));
+            assert_eq!(found, *expected, "{}, frame {frame}", scene.name);
+            let reason = tracker.stats().brute_force;
+            tracked += usize::from(matches!(reason, None | Some(BruteForceReason::NothingToTrack)));
+        }
+        assert!(tracked >= 59, "{}: {tracked} frames were tracked", scene.name);
+    }
+}
+
+/// The mesh sweeps over the eye, which rests.
+#[test]
+fn a_mesh_that_may_have_passed_the_eye_is_found_anew() {
+    let scene = Scene::builtin("icosphere:3");
+    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut oracle = Oracle::default();
+    let view = scene.view(silhouette_core::glam::DVec3::X, 3.0);
+    for step in 0..60_u8 {
+        let positions: Vec<Vec3> =
+            scene.mesh.positions().iter().map(|&p| p + Vec3::X * (0.1 * f32::from(step))).collect();
+        tracker.move_mesh(&positions).unwrap();
+        let frozen = TriangleMesh::new(positions, scene.mesh.triangles().to_vec()).unwrap();
+        let expected = oracle.look(&frozen, scene.table.topology(), &view);
+        assert_eq!(ordered(scene.table.topology(), tracker.update(&view)), *expected, "step {step}");
+    }
+}
+
+#[test]
+fn positions_that_do_not_fit_are_refused_and_change_nothing() {
+    let scene = Scene::builtin("blob:500");
+    let mut method = Tracking::from(scene.tracker(TrackingOptions::default()));
+    let view = scene.orbit(0.0, 1).next().unwrap();
+    let (mut before, mut after) = (SilhouetteEdges::default(), SilhouetteEdges::default());
+    method.extract_edges(&view, &mut before);
+    let mut positions = scene.mesh.positions().to_vec();
+    let vertices = positions.len();
+    let short = method.update_positions(&positions[1..]);
+    assert_eq!(short, Err(PositionsError::Count { given: vertices - 1, vertices }));
+    positions[17].y = f32::NAN;
+    let not_finite = method.update_positions(&positions);
+    assert_eq!(not_finite, Err(PositionsError::NotFinite { vertex: VertexId::new(17) }));
+    method.extract_edges(&view, &mut after);
+    assert!(!before.is_empty());
+    assert_eq!(before, after);
+}
