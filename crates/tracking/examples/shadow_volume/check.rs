@@ -1,5 +1,5 @@
-//! Whether a volume is closed, and whether it holds exactly what the light does not reach. Naive on purpose: every edge is
-//! counted, every ray asks every triangle.
+//! Whether a volume is closed, and whether it holds exactly what the light does not reach. Naive on purpose: every edge
+//! is counted, every ray asks every triangle.
 
 use crate::volume::Caps;
 use silhouette_core::glam::{DVec3, Vec4, Vec4Swizzles};
@@ -84,7 +84,8 @@ impl ShadowCount {
 }
 
 /// How near a ray to the light may pass a side of a face, in radii of the mesh (to which the distance from the origin
-/// adds). Far ends are rounded to 32 bits, which turns sides by up to 1e-7: at a few radii less than a tenth of the margin.
+/// adds). Far ends are rounded to 32 bits, which turns sides by up to 1e-7: at a few radii less than a tenth of the
+/// margin.
 pub const MARGIN: f64 = 1e-5;
 
 /// How far beyond the box around the mesh points are taken, in radii of the mesh.
@@ -131,9 +132,9 @@ fn evenly_spread(index: u32) -> DVec3 {
 
 /// Crossings of a ray with a closed surface on its way to infinity, infinity included: outward less inward.
 ///
-/// With the ray's origin as the origin of space, a triangle of homogeneous points is met iff the ray's direction lies in the
-/// cone over its corners `p - w * origin`: the same test for near, far and mixed triangles. A side's sign is the same for
-/// both triangles at it, so no crossing is lost or counted twice between them.
+/// With the ray's origin as the origin of space, a triangle of homogeneous points is met iff the ray's direction lies
+/// in the cone over its corners `p - w * origin`: the same test for near, far and mixed triangles. A side's sign is the
+/// same for both triangles at it, so no crossing is lost or counted twice between them.
 fn crossings(surface: Surface, origin: DVec3, direction: DVec3) -> i32 {
     let corner = |vertex: u32| {
         let position = surface.positions[vertex as usize].as_dvec4();
@@ -170,8 +171,8 @@ struct Layers {
     back: i32,
 }
 
-/// Counts the faces between a point and the light; `None` if the ray comes nearer than `margin` to a side of a face that it
-/// might meet, or begins or ends that near to a face.
+/// Counts the faces between a point and the light; `None` if the ray comes nearer than `margin` to a side of a face
+/// that it might meet, or begins or ends that near to a face.
 fn cast(mesh: &TriangleMesh, light: &Viewpoint, point: DVec3, margin: f64) -> Option<Layers> {
     let (toward, length) = match *light {
         Viewpoint::Perspective { eye } => {

@@ -2,11 +2,12 @@
 //!
 //!     cargo run --release -p silhouette-tracking --example shadow_volume -- [MESH [FRAMES]]
 //!
-//! where MESH is a file or `builtin:NAME`. A light goes around the mesh, a degree a frame; its loops are tracked from frame
-//! to frame and extruded. `volume` is what to lift out into a renderer, `check` how it is known to be right. Exit codes:
-//! 0 done, 1 a check or the output failed, 2 bad input.
+//! where MESH is a file or `builtin:NAME`. A light goes around the mesh, a degree a frame; its loops are tracked from
+//! frame to frame and extruded. `volume` (with `facings`) is what to lift out into a renderer, `check` how it is known
+//! to be right. Exit codes: 0 done, 1 a check or the output failed, 2 bad input.
 
 mod check;
+mod facings;
 #[cfg(test)]
 mod tests;
 mod volume;
@@ -177,7 +178,8 @@ fn report(out: &mut impl Write, name: &str, scene: &Scene, frames: u32) -> Resul
                 writeln!(
                     out,
                     "{kind:11}  {caps:12}  {reach:8}  {track_us:8.1}  {extrude_us:10.1}  {loops:5.1}  {front:7}  \
-                     {sides:7}  {back:7}  {multiple:8}  {unmatched:9}  {samples:6}  {shadowed:6}  {skipped:7}  {wrong:5}"
+                     {sides:7}  {back:7}  {multiple:8}  {unmatched:9}  {samples:6}  {shadowed:6}  {skipped:7}  \
+                     {wrong:5}"
                 )?;
                 bad += unmatched + wrong as usize;
             }

@@ -1,6 +1,7 @@
 //! Volumes of closed and open meshes against edge counts and ray casts, and proof that both can fail.
 
 use super::*;
+use silhouette_core::facing::{Facing, judge};
 use silhouette_core::glam::{Vec3, Vec4};
 use silhouette_core::shapes::by_name;
 use std::path::PathBuf;
@@ -171,6 +172,31 @@ fn both_checks_notice_a_broken_volume() {
     let mut volume = scene.volume(Caps::FrontTwice, Reach::Infinite).unwrap();
     volume.extrude(&scene.light(LightKind::Point, 0.0), &Default::default());
     assert!(count_edges(volume.triangles()).unmatched > 0);
+}
+
+/// Facings that are followed equal those that are judged, over jumps of the light to anywhere, through the surface too.
+#[test]
+fn the_front_cap_holds_the_faces_that_face_the_light() {
+    for name in ["blob:1500", "gear", "grid:20,14,0.8", "moebius", "cube"] {
+        let scene = scene(by_name(name).unwrap());
+        let mut tracker = scene.tracker().unwrap();
+        let mut volume = scene.volume(Caps::FrontTwice, Reach::Infinite).unwrap();
+        for index in 0..400_u16 {
+            let t = f32::from(index);
+            let toward = Vec3::new((1.3 * t).sin(), (2.9 * t).cos(), (0.7 * t).sin());
+            let light = match index % 5 {
+                0 | 1 => Viewpoint::Perspective { eye: toward * 0.4 },
+                2 | 3 => Viewpoint::Perspective { eye: toward * 3.0 },
+                _ => Viewpoint::Orthographic { toward_viewer: toward },
+            };
+            volume.extrude(&light, tracker.update(&light));
+            let is_front = |triangle: &&[u32; 3]| {
+                judge(triangle.map(|vertex| scene.mesh.positions()[vertex as usize]), &light).facing == Facing::Front
+            };
+            let expected = scene.mesh.triangles().iter().filter(is_front);
+            assert!(volume.front_cap().iter().eq(expected), "{name}, light {index}: {light:?}");
+        }
+    }
 }
 
 /// Once a light has gone around, going around again allocates nothing.

@@ -1,26 +1,28 @@
 //! [`ShadowVolume`]: silhouette loops extruded away from a light, with caps at both ends, ready for the z-fail test.
 //!
-//! F. C. Crow, "Shadow Algorithms for Computer Graphics", SIGGRAPH 1977; for open meshes P. Bergeron, "A General Version
-//! of Crow's Shadow Volumes", IEEE CG&A 6(9), 1986; for points at infinity and z-fail C. Everitt and M. J. Kilgard,
-//! "Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering", 2002.
+//! F. C. Crow, "Shadow Algorithms for Computer Graphics", SIGGRAPH 1977; for open meshes P. Bergeron, "A General
+//! Version of Crow's Shadow Volumes", IEEE CG&A 6(9), 1986; for points at infinity and z-fail C. Everitt and M. J.
+//! Kilgard, "Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering", 2002.
 //!
 //! # What is built, and why it is closed
 //!
-//! A face that casts a shadow has a prism: the face, wound so that it faces the light; its copy at the far end, wound the
-//! other way; three sides between. Each prism is closed and its surface oriented outward. The volume is their sum, in
-//! which a side between two neighbours occurs once in each direction and is left out. What remains is a side for each
-//! silhouette half-edge, from the border of the casting faces; so the volume is closed for every mesh, and how often its
-//! surface goes around a point is the number of casting faces between the point and the light. [`Caps`] says which faces
-//! cast. Closed means: of each directed edge there are as many as of its opposite. Most have one; where loops touch in a
-//! vertex, the edge from there to the far end has several.
+//! A face that casts a shadow has a prism: the face, wound so that it faces the light; its copy at the far end, wound
+//! the other way; three sides between. Each prism is closed and its surface oriented outward. The volume is their sum,
+//! in which a side between two neighbours occurs once in each direction and is left out. What remains is a side for
+//! each silhouette half-edge, from the border of the casting faces; so the volume is closed for every mesh, and how
+//! often its surface goes around a point is the number of casting faces between the point and the light. [`Caps`] says
+//! which faces cast. Closed means: of each directed edge there are as many as of its opposite. Most have one; where
+//! loops touch in a vertex, the edge from there to the far end has several.
 //!
 //! # To draw it
 //!
-//! Wind back faces into the stencil with increment-wrap where the depth test fails, front faces with decrement-wrap; what is
-//! not zero lies in shadow. Nothing may be clipped at the far plane: with [`Reach::Infinite`] use an infinite projection,
-//! under which `w = 0` lands on the far plane, or depth clamping. A stencil of `n` bits misreads `2^n` layers as none.
+//! Wind back faces into the stencil with increment-wrap where the depth test fails, front faces with decrement-wrap;
+//! what is not zero lies in shadow. Nothing may be clipped at the far plane: with [`Reach::Infinite`] use an infinite
+//! projection, under which `w = 0` lands on the far plane, or depth clamping. A stencil of `n` bits misreads `2^n`
+//! layers as none.
 
-use silhouette_core::facing::{Facing, judge};
+use crate::facings::FollowedFacings;
+use silhouette_core::facing::Facing;
 use silhouette_core::glam::{DVec3, Vec3, Vec4};
 use silhouette_core::{HalfEdgeId, SilhouetteLoops, TriangleMesh, Viewpoint};
 use silhouette_tracking::ConnectivityTable;
@@ -29,24 +31,25 @@ use std::sync::Arc;
 /// Which faces cast a shadow, and what closes the volume at its ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Caps {
-    /// Faces that face the light cast. Front cap: these faces. Back cap: the *other* faces, extruded; that is the sum of
-    /// prisms plus a far copy of the whole mesh, which is closed and far away. F triangles in both caps. For closed meshes
-    /// with the light outside: then every shadow has a casting face.
+    /// Faces that face the light cast. Front cap: these faces. Back cap: the *other* faces, extruded; that is the sum
+    /// of prisms plus a far copy of the whole mesh, which is closed and far away. F triangles in both caps. For closed
+    /// meshes with the light outside: then every shadow has a casting face.
     FrontAndBack,
-    /// Faces that face the light cast. Front cap: these faces. Back cap: the same, extruded and reversed. For any mesh; as
-    /// with culled back faces, one that turns its back to the light lets it through. On a closed mesh with the light
+    /// Faces that face the light cast. Front cap: these faces. Back cap: the same, extruded and reversed. For any mesh;
+    /// as with culled back faces, one that turns its back to the light lets it through. On a closed mesh with the light
     /// outside that changes nothing, and the caps are smaller where fewer faces are front than back.
     FrontTwice,
-    /// Every face casts, as if each had a reversed double: of the two, the one that faces the light. Front cap: the front
-    /// faces, and the back faces reversed. Back cap: both extruded, reversed. A silhouette half-edge with a face across
-    /// has two sides, one from each; one at the border a single side, and so has each border of a back face, which is in
-    /// no loop. 2 F triangles in both caps. For any mesh and any light, also inside a closed mesh.
+    /// Every face casts, as if each had a reversed double: of the two, the one that faces the light. Front cap: the
+    /// front faces, and the back faces reversed. Back cap: both extruded, reversed. A silhouette half-edge with a face
+    /// across has two sides, one from each; one at the border a single side, and so has each border of a back face,
+    /// which is in no loop. 2 F triangles in both caps. For any mesh and any light, also inside a closed mesh.
     Doubled,
 }
 
 impl Caps {
     /// What fits a mesh if nothing is known but its table: doubled faces where there is any border. A mesh that is cut
-    /// has borders at the cuts, whatever it was before: faces on both sides may cast from there, so the same rule holds.
+    /// has borders at the cuts, whatever it was before: faces on both sides may cast from there, so the same rule
+    /// holds.
     pub fn fitting(table: &ConnectivityTable, mesh: &TriangleMesh) -> Self {
         if border(table, mesh).next().is_none() { Self::FrontAndBack } else { Self::Doubled }
     }
@@ -55,20 +58,20 @@ impl Caps {
 /// How far the volume reaches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reach {
-    /// To infinity, in homogeneous coordinates with `w = 0`. Under a directional light all far vertices are one point, the
-    /// direction itself; each side is a triangle and there is no back cap.
+    /// To infinity, in homogeneous coordinates with `w = 0`. Under a directional light all far vertices are one point,
+    /// the direction itself; each side is a triangle and there is no back cap.
     Infinite,
-    /// Every vertex moves by `distance` (object units, above 0) along the light's direction, or by at least that away from
-    /// a point light. There the far end is the mesh scaled about the light, by `1 + distance / nearest vertex`, so that no
-    /// face bends; a point of a large face, nearer to the light than any vertex, moves less in proportion.
+    /// Every vertex moves by `distance` (object units, above 0) along the light's direction, or by at least that away
+    /// from a point light. There the far end is the mesh scaled about the light, by `1 + distance / nearest vertex`, so
+    /// that no face bends; a point of a large face, nearer to the light than any vertex, moves less in proportion.
     Finite {
         /// How far the vertices move at least.
         distance: f32,
     },
 }
 
-/// Largest scale about a point light. A light in a vertex would have none; 2^20 keeps coordinates finite for meshes up to
-/// 10^32 units and is beyond any scene.
+/// Largest scale about a point light. A light in a vertex would have none; 2^20 keeps coordinates finite for meshes up
+/// to 10^32 units and is beyond any scene.
 const MAX_SCALE: f64 = 1_048_576.0;
 
 /// Why a mesh has no volume.
@@ -97,7 +100,7 @@ pub struct ShadowVolume {
     reach: Reach,
     /// Half-edges that have nothing across.
     border: Vec<HalfEdgeId>,
-    facings: Vec<Facing>,
+    facings: FollowedFacings,
     positions: Vec<Vec4>,
     triangles: Vec<[u32; 3]>,
     /// Where the sides begin in `triangles`, and the back cap.
@@ -131,28 +134,26 @@ impl ShadowVolume {
         }
         let mut positions = Vec::with_capacity(2 * vertices);
         positions.extend(mesh.positions().iter().map(|position| position.extend(1.0)));
-        let facings = Vec::with_capacity(mesh.face_count());
-        let triangles = Vec::new();
+        let (facings, triangles) = (FollowedFacings::default(), Vec::new());
         Ok(Self { mesh, table, caps, reach, border, facings, positions, triangles, ends: [0; 2], has_apex: false })
     }
 
-    /// Replaces the volume by that of `light`, of which `loops` are all the silhouette loops: half-edges of front faces, in
-    /// any order.
+    /// Replaces the volume by that of `light`, of which `loops` are all the silhouette loops: half-edges of front
+    /// faces, in any order.
     ///
     /// The light is the viewpoint that sees what it lights: a perspective eye is a point light, an orthographic
-    /// `toward_viewer` points to a directional one. If a loop is missing the volume is open there. A light in the plane of a
-    /// face is behind it (facing is exact, and ties are back); one in a vertex leaves that vertex no way to go.
+    /// `toward_viewer` points to a directional one. If a loop is missing the volume may be open there. A light in the
+    /// plane of a face is behind it (facing is exact, and ties are back); one in a vertex leaves that vertex no way to
+    /// go.
     ///
-    /// O(V + F) for the far vertices and caps, O(S) for the sides. One thread. Allocates nothing once memory has grown.
+    /// O(V + F) to write far vertices and caps, O(S) for the sides; facing is evaluated between the old loops and the
+    /// new ones only ([`facings`](crate::facings)). One thread. Allocates nothing once memory has grown.
     ///
     /// # Panics
     /// If a half-edge is of another mesh.
     pub fn extrude(&mut self, light: &Viewpoint, loops: &SilhouetteLoops) {
         self.place_far_vertices(light);
-        let mesh = &self.mesh;
-        let corners = |triangle: &[u32; 3]| triangle.map(|vertex| mesh.positions()[vertex as usize]);
-        self.facings.clear();
-        self.facings.extend(mesh.triangles().iter().map(|triangle| judge(corners(triangle), light).facing));
+        self.facings.follow(&self.mesh, &self.table, light, loops);
         self.triangles.clear();
         self.push_front_cap();
         self.ends[0] = self.triangles.len();
@@ -192,7 +193,7 @@ impl ShadowVolume {
     }
 
     fn push_front_cap(&mut self) {
-        let faces = self.mesh.triangles().iter().zip(&self.facings);
+        let faces = self.mesh.triangles().iter().zip(self.facings.as_slice());
         let doubled = self.caps == Caps::Doubled;
         self.triangles.extend(faces.filter_map(|(&[a, b, c], facing)| match facing {
             Facing::Front => Some([a, b, c]),
@@ -212,7 +213,7 @@ impl ShadowVolume {
         if self.caps == Caps::Doubled {
             for index in 0..self.border.len() {
                 let half_edge = self.border[index];
-                if self.facings[half_edge.face().index()] == Facing::Back {
+                if self.facings.as_slice()[half_edge.face().index()] == Facing::Back {
                     let [a, b] = ends(&self.mesh, half_edge);
                     self.push_side(b, a);
                 }
@@ -233,7 +234,7 @@ impl ShadowVolume {
         let near = self.mesh.vertex_count() as u32;
         let far = |triangle: [u32; 3]| triangle.map(|vertex| near + vertex);
         if self.caps == Caps::FrontAndBack {
-            let faces = self.mesh.triangles().iter().zip(&self.facings);
+            let faces = self.mesh.triangles().iter().zip(self.facings.as_slice());
             let back = faces.filter(|&(_, &facing)| facing == Facing::Back);
             self.triangles.extend(back.map(|(&triangle, _)| far(triangle)));
         } else {
@@ -266,7 +267,8 @@ impl ShadowVolume {
         &self.triangles[..self.ends[0]]
     }
 
-    /// What lies between the caps: all that the z-pass test needs. Two triangles a side, one where far ends are one point.
+    /// What lies between the caps: all that the z-pass test needs. Two triangles a side, one where far ends are one
+    /// point.
     pub fn sides(&self) -> &[[u32; 3]] {
         &self.triangles[self.ends[0]..self.ends[1]]
     }
