@@ -61,15 +61,14 @@ impl FacingMemo {
         evaluate: impl FnOnce(FaceId) -> Judgement,
         stats: &mut ExtractionStats,
     ) -> bool {
-        let stamp = self.stamps[face.index()];
-        if stamp >> 1 == self.epoch {
-            return stamp & 1 == 1;
+        let stamp = &mut self.stamps[face.index()];
+        if *stamp >> 1 != self.epoch {
+            let judgement = evaluate(face);
+            stats.faces_tested += 1;
+            stats.exact_fallbacks += u64::from(judgement.exact_fallback);
+            *stamp = self.epoch << 1 | u8::from(judgement.facing == Facing::Front);
         }
-        let judgement = evaluate(face);
-        stats.faces_tested += 1;
-        stats.exact_fallbacks += u64::from(judgement.exact_fallback);
-        self.record(face, judgement.facing);
-        judgement.facing == Facing::Front
+        *stamp & 1 == 1
     }
 
     /// Remembers a facing that somebody found in this view.

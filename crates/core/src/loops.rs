@@ -17,6 +17,7 @@ use crate::id::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::mesh::TriangleMesh;
 use crate::silhouette::SilhouetteEdges;
 use crate::topology::{Topology, Twin};
+use std::ops::Range;
 
 /// Closed loops of silhouette half-edges, front face on the left, seen from the viewer's side of the surface.
 ///
@@ -55,8 +56,22 @@ impl SilhouetteLoops {
     /// # Panics
     /// If there is no such loop.
     pub fn get(&self, index: usize) -> &[HalfEdgeId] {
+        &self.half_edges[self.range(index)]
+    }
+
+    /// Where one loop stands in [`half_edges`](Self::half_edges).
+    ///
+    /// # Panics
+    /// If there is no such loop.
+    pub fn range(&self, index: usize) -> Range<usize> {
         let begin = if index == 0 { 0 } else { self.ends[index - 1] };
-        &self.half_edges[begin..self.ends[index]]
+        begin..self.ends[index]
+    }
+
+    /// The index of the loop that holds a place of [`half_edges`](Self::half_edges); the number of loops for a place
+    /// beyond them. O(log loops).
+    pub fn loop_at(&self, place: usize) -> usize {
+        self.ends.partition_point(|&end| end <= place)
     }
 
     /// Removes all loops; keeps the memory.

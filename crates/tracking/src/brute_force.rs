@@ -16,8 +16,7 @@ use std::sync::Arc;
 
 /// Step 1, in a view of which nothing is known yet.
 pub(crate) fn classify(faces: &mut Faces) {
-    let count = faces.surface.triangles.len() as u32;
-    faces.evaluate((0..count).map(FaceId::new));
+    faces.evaluate(faces.surface.table.planes());
 }
 
 /// Step 1, in a view of which something is known.
@@ -37,7 +36,7 @@ pub(crate) fn check_edges(faces: &mut Faces, loops: &mut FoundLoops, stats: &mut
         for slot in 0..3 {
             let half_edge = HalfEdgeId::of(face, slot);
             let is_silhouette = faces.across(Side::new(face, slot)).is_none_or(|across| !faces.recall(across.face));
-            if is_silhouette && loops.loop_of(half_edge).is_none() {
+            if is_silhouette && !loops.is_found(half_edge) {
                 loops.complete(faces, half_edge);
             }
         }
@@ -71,8 +70,7 @@ impl BruteForce {
         classify(&mut faces);
         check_edges(&mut faces, &mut self.loops, &mut self.stats);
         self.stats.count(&faces.stats);
-        self.loops.end_frame();
-        &self.loops.loops
+        &self.loops.now.loops
     }
 
     /// What the last frame took.

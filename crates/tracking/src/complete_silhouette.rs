@@ -6,73 +6,112 @@
 //! ([`as_printed`](crate::as_printed)): it runs forward, so that front faces are on the left; it stops where it began; it
 //! lists half-edges of front faces. (It is what `silhouette_core::loops` does for any mesh, on the table of this one.)
 //!
-//! The set that keeps double silhouettes out is a mark a half-edge, which says in which loop it lies and whether that loop
-//! is of this frame or of the last. So completing a loop also learns, at no further cost, from which old loops its
+//! # Coherence
+//!
+//! Where the walk comes to a half-edge of the last frame, it asks the same faces in the same order as it did then, until
+//! one has turned. So each frame keeps the *trail* of its walks, the faces asked about with their answers, and the next
+//! frame runs along it as long as the answers are the same: no face more or less is evaluated, but none waits for the one
+//! before, and the processor predicts the outcome. Only where a face has turned does it walk.
+//!
+//! The set that keeps double silhouettes out is a place a half-edge: where in the list of this or the last frame it
+//! stands, if it does stand there. So nothing is ever cleared, and completing a loop also learns from which old loops its
 //! half-edges came.
 
 use crate::connectivity_table::Side;
 use crate::faces::Faces;
 use crate::identity::Relation;
-use silhouette_core::{HalfEdgeId, SilhouetteLoops};
+use silhouette_core::{FaceId, HalfEdgeId, SilhouetteLoops};
+use std::ops::Range;
+
+/// Loops, and what the walks along them asked.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct WalkedLoops {
+    pub loops: SilhouetteLoops,
+    /// Faces asked about, each with its answer, half-edge after half-edge.
+    trail: Vec<Asked>,
+    /// Where in the trail the step to the next half-edge ends, for each half-edge in the order of the loops.
+    trail_ends: Vec<u32>,
+}
+
+/// A face that a walk asked about, times two, plus whether it was front.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Asked(u32);
+
+impl Asked {
+    fn new(face: FaceId, is_front: bool) -> Self {
+        Self(face.get() << 1 | u32::from(is_front))
+    }
+
+    fn face(self) -> FaceId {
+        FaceId::new(self.0 >> 1)
+    }
+
+    fn was_front(self) -> bool {
+        self.0 & 1 == 1
+    }
+}
+
+impl WalkedLoops {
+    fn clear(&mut self) {
+        self.loops.clear();
+        self.trail.clear();
+        self.trail_ends.clear();
+    }
+
+    /// Where the trail of the half-edge at a place begins.
+    fn trail_begin(&self, place: usize) -> usize {
+        if place == 0 { 0 } else { self.trail_ends[place - 1] as usize }
+    }
+
+    fn bytes(&self) -> usize {
+        self.loops.bytes() + size_of_val(self.trail.as_slice()) + size_of_val(self.trail_ends.as_slice())
+    }
+}
 
 /// The loops of this frame, those of the last, and what relates them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FoundLoops {
-    pub loops: SilhouetteLoops,
+    pub now: WalkedLoops,
     /// Those of the last frame.
-    pub old: SilhouetteLoops,
+    pub old: WalkedLoops,
     /// Old loops with the new loops they became, in runs: a pair may occur several times.
     pub relations: Vec<Relation>,
-    /// For each half-edge 0, or one above its loop's index, times two, plus the parity of the loop's frame.
-    marks: Vec<u32>,
-    parity: u32,
+    /// For each half-edge a place in the list of this frame, or else of the last, or else of some frame before.
+    places: Vec<u32>,
 }
 
 impl FoundLoops {
     /// Makes this frame's loops the old ones.
     pub fn begin_frame(&mut self, half_edges: usize) {
-        if self.marks.len() != half_edges {
-            self.marks.clear();
-            self.marks.resize(half_edges, 0);
-        }
-        std::mem::swap(&mut self.loops, &mut self.old);
-        self.loops.clear();
+        self.places.resize(half_edges, 0);
+        std::mem::swap(&mut self.now, &mut self.old);
+        self.now.clear();
         self.relations.clear();
-        self.parity ^= 1;
     }
 
-    /// Removes the marks of old half-edges that are no silhouette any more. O(old silhouette).
-    pub fn end_frame(&mut self) {
-        for half_edge in self.old.half_edges() {
-            let mark = &mut self.marks[half_edge.index()];
-            if *mark & 1 != self.parity {
-                *mark = 0;
-            }
-        }
-    }
-
-    /// Forgets all loops, old and new. O(silhouette).
+    /// Forgets all loops, old and new.
     pub fn forget(&mut self) {
-        for half_edge in self.loops.half_edges() {
-            self.marks[half_edge.index()] = 0;
-        }
-        self.loops.clear();
+        self.now.clear();
         self.old.clear();
         self.relations.clear();
     }
 
-    /// The loop of this frame that a half-edge was found in.
+    /// Whether a half-edge was found in this frame.
     #[inline]
-    pub fn loop_of(&self, half_edge: HalfEdgeId) -> Option<u32> {
-        let mark = self.marks[half_edge.index()];
-        (mark & 1 == self.parity && mark != 0).then(|| (mark >> 1) - 1)
+    pub fn is_found(&self, half_edge: HalfEdgeId) -> bool {
+        let place = self.places[half_edge.index()] as usize;
+        self.now.loops.half_edges().get(place) == Some(&half_edge)
     }
 
-    /// Whether a half-edge was silhouette in the last frame and has not been found in this one.
+    /// Whether a half-edge was silhouette in the last frame. Of one that was found in this frame there may be no answer.
     #[inline]
     pub fn is_old(&self, half_edge: HalfEdgeId) -> bool {
-        let mark = self.marks[half_edge.index()];
-        mark & 1 != self.parity && mark != 0
+        self.old_place(half_edge).is_some()
+    }
+
+    fn old_place(&self, half_edge: HalfEdgeId) -> Option<usize> {
+        let place = self.places[half_edge.index()] as usize;
+        (self.old.loops.half_edges().get(place) == Some(&half_edge)).then_some(place)
     }
 
     /// Notes that an old loop became a new one, by `shared` half-edges.
@@ -83,56 +122,99 @@ impl FoundLoops {
         }
     }
 
-    /// The loop through a silhouette half-edge, walked now unless it was found before. O(faces in the fans along it).
+    /// The index of the loop through a silhouette half-edge, walked now unless it was found before. O(faces in the fans
+    /// along it).
     pub fn complete(&mut self, faces: &mut Faces, start: HalfEdgeId) -> u32 {
-        self.loop_of(start).unwrap_or_else(|| self.walk(faces, start))
+        if self.is_found(start) {
+            self.now.loops.loop_at(self.places[start.index()] as usize) as u32
+        } else {
+            self.walk(faces, start)
+        }
     }
 
     fn walk(&mut self, faces: &mut Faces, start: HalfEdgeId) -> u32 {
-        let index = self.loops.len() as u32;
-        let mark = (index + 1) << 1 | self.parity;
-        // The old loop that the walk runs along, as a mark, and for how long it has.
-        let (mut along, mut shared) = (0, 0);
-        let mut side = Side::of(start);
+        let index = self.now.loops.len() as u32;
+        let start_place = self.old_place(start);
+        // The old loop that the walk is on.
+        let (mut old_loop, mut old_range) = (0, 0..0);
+        let mut half_edge = start;
         loop {
-            let half_edge = side.half_edge();
-            let before = std::mem::replace(&mut self.marks[half_edge.index()], mark);
-            if before == along {
-                shared += 1;
-            } else if before != 0 {
-                if along != 0 {
-                    self.relations.push(Relation { old: (along >> 1) - 1, new: index, shared });
+            if let Some(place) = self.old_place(half_edge) {
+                if !old_range.contains(&place) {
+                    old_loop = self.old.loops.loop_at(place);
+                    old_range = self.old.loops.range(old_loop);
                 }
-                (along, shared) = (before, 1);
+                // The start is where the loop ends, not a place to run past.
+                let end = start_place.filter(|at| (place + 1..old_range.end).contains(at)).unwrap_or(old_range.end);
+                let reached = self.run(faces, place..end);
+                self.relate(old_loop as u32, index, (reached - place) as u32);
+                if reached == end {
+                    half_edge = self.old.loops.half_edges()[if end == old_range.end { old_range.start } else { end }];
+                    if half_edge == start {
+                        break;
+                    }
+                    continue;
+                }
+                half_edge = self.old.loops.half_edges()[reached];
+                self.relate(old_loop as u32, index, 1);
             }
-            self.loops.push(half_edge);
-            side = next_silhouette_side(faces, side);
-            if side.half_edge() == start {
+            half_edge = self.step(faces, half_edge);
+            if half_edge == start {
                 break;
             }
         }
-        if along != 0 {
-            self.relations.push(Relation { old: (along >> 1) - 1, new: index, shared });
-        }
-        self.loops.end_loop();
+        self.now.loops.end_loop();
         index
+    }
+
+    /// Takes over old half-edges from these places as long as every face asked about on the way to the next one answers as
+    /// before. The place of the first half-edge from which another way leads on, or the end.
+    fn run(&mut self, faces: &mut Faces, places: Range<usize>) -> usize {
+        let Self { now, old, places: place_of, .. } = self;
+        let begin = old.trail_begin(places.start);
+        let trail = &old.trail[begin..old.trail_begin(places.end)];
+        let same = trail.iter().position(|asked| faces.is_front(asked.face()) != asked.was_front());
+        let reached = match same {
+            None => places.end,
+            Some(turned) => {
+                let ends = &old.trail_ends[places.clone()];
+                places.start + ends.partition_point(|&end| end as usize <= begin + turned)
+            }
+        };
+        let taken = places.start..reached;
+        for (&half_edge, place) in old.loops.half_edges()[taken.clone()].iter().zip(now.trail_ends.len() as u32..) {
+            place_of[half_edge.index()] = place;
+            now.loops.push(half_edge);
+        }
+        // Both trails are shorter than the number of half-edges, so their places fit 32 bits.
+        let shift = (now.trail.len() as u32).wrapping_sub(begin as u32);
+        now.trail.extend_from_slice(&old.trail[begin..old.trail_begin(reached)]);
+        now.trail_ends.extend(old.trail_ends[taken].iter().map(|end| end.wrapping_add(shift)));
+        reached
+    }
+
+    /// Lists a silhouette half-edge and turns about its end vertex, inside the fan of front faces, to the next. O(faces in
+    /// the fan).
+    fn step(&mut self, faces: &mut Faces, half_edge: HalfEdgeId) -> HalfEdgeId {
+        let WalkedLoops { loops, trail, trail_ends } = &mut self.now;
+        self.places[half_edge.index()] = trail_ends.len() as u32;
+        loops.push(half_edge);
+        let mut candidate = Side::of(half_edge).next_in_face();
+        while let Some(across) = faces.across(candidate) {
+            let is_front = faces.is_front(across.face);
+            trail.push(Asked::new(across.face, is_front));
+            if !is_front {
+                break;
+            }
+            candidate = across.next_in_face();
+        }
+        trail_ends.push(trail.len() as u32);
+        candidate.half_edge()
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        let relations = size_of_val(self.relations.as_slice());
-        size_of_val(self.marks.as_slice()) + self.loops.bytes() + self.old.bytes() + relations
+        let lists = size_of_val(self.places.as_slice()) + size_of_val(self.relations.as_slice());
+        lists + self.now.bytes() + self.old.bytes()
     }
-}
-
-/// The silhouette half-edge that follows another in its loop. O(faces in the fan).
-#[inline]
-fn next_silhouette_side(faces: &mut Faces, side: Side) -> Side {
-    let mut candidate = side.next_in_face();
-    while let Some(across) = faces.across(candidate)
-        && faces.is_front(across.face)
-    {
-        candidate = across.next_in_face();
-    }
-    candidate
 }

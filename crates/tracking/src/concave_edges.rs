@@ -153,14 +153,16 @@ impl Artefact for TrackedEdges {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ActiveEdges {
     pub half_edges: Vec<[HalfEdgeId; 2]>,
-    /// Their faces, ascending, each once.
+    /// Their faces, ascending, each once, and a copy of the planes of these faces.
     pub faces: Vec<FaceId>,
+    pub planes: Vec<[f32; 4]>,
     is_face: Vec<u64>,
 }
 
 impl ActiveEdges {
     /// Selects the edges whose angle exceeds `level_rad`; none for `None`. O(C + F / 64), no allocation once grown.
-    pub fn select(&mut self, concave: &ConcaveEdges, level_rad: Option<f32>, faces: usize) {
+    pub fn select(&mut self, concave: &ConcaveEdges, level_rad: Option<f32>, table: &ConnectivityTable) {
+        let faces = table.face_count();
         let is_above = |edge: &ConcaveEdge| level_rad.is_some_and(|level| edge.angle_rad > level);
         let count = concave.by_angle.partition_point(is_above);
         self.half_edges.clear();
@@ -182,12 +184,13 @@ impl ActiveEdges {
                 bits &= bits - 1;
             }
         }
+        self.planes.clear();
+        self.planes.reserve(self.faces.capacity());
+        self.planes.extend(self.faces.iter().map(|&face| table.plane(face)));
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.half_edges.as_slice())
-            + size_of_val(self.faces.as_slice())
-            + size_of_val(self.is_face.as_slice())
+        size_of_val(self.half_edges.as_slice()) + 20 * self.faces.len() + size_of_val(self.is_face.as_slice())
     }
 }

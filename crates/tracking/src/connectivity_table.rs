@@ -142,8 +142,13 @@ impl ConnectivityTable {
 
     /// Unit normal and offset, relative to [`center`](Self::center).
     #[inline]
-    pub(crate) fn plane(&self, face: FaceId) -> &[f32; 4] {
-        &self.rows[face.index()].plane
+    pub(crate) fn plane(&self, face: FaceId) -> [f32; 4] {
+        self.rows[face.index()].plane
+    }
+
+    /// The planes of all faces, in the order of their ids.
+    pub(crate) fn planes(&self) -> impl ExactSizeIterator<Item = (FaceId, [f32; 4])> {
+        self.rows.iter().enumerate().map(|(face, row)| (FaceId::new(face as u32), row.plane))
     }
 
     /// Whether the plane of a face is known to 32 bits; not so for needles and faces without area.

@@ -42,7 +42,7 @@ pub(crate) fn detect_in_border_list(
 }
 
 fn complete_new(faces: &mut Faces, loops: &mut FoundLoops, half_edge: HalfEdgeId) {
-    if loops.loop_of(half_edge).is_none() {
+    if !loops.is_found(half_edge) {
         loops.complete(faces, half_edge);
     }
 }

@@ -48,13 +48,14 @@ impl<'a> Faces<'a> {
         self.memo.recall(face)
     }
 
-    /// Evaluates faces of which nothing is known yet, each named once: without the question whether it is known, whose
-    /// answer no branch predictor could guess.
-    pub fn evaluate(&mut self, faces: impl ExactSizeIterator<Item = FaceId>) {
+    /// Evaluates faces of which nothing is known yet, each named once, by their planes: without the question whether it is
+    /// known, whose answer no branch predictor could guess.
+    pub fn evaluate(&mut self, planes: impl ExactSizeIterator<Item = (FaceId, [f32; 4])>) {
         let Self { surface, test, memo, stats } = self;
-        stats.faces_tested += faces.len() as u64;
-        for face in faces {
-            let judgement = test.judge(surface.table.plane(face), || surface.corners(face));
+        let (surface, test) = (*surface, *test);
+        stats.faces_tested += planes.len() as u64;
+        for (face, plane) in planes {
+            let judgement = test.judge(plane, || surface.corners(face));
             stats.exact_fallbacks += u64::from(judgement.exact_fallback);
             memo.record(face, judgement.facing);
         }

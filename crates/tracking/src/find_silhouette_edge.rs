@@ -18,6 +18,7 @@
 //!    its silhouette moved over: what it finds is a silhouette, but not what became of the loop it came from.
 
 use crate::complete_silhouette::FoundLoops;
+use crate::connectivity_table::Side;
 use crate::faces::Faces;
 use silhouette_core::HalfEdgeId;
 
@@ -44,23 +45,23 @@ pub(crate) struct Walk {
 /// Walks to a silhouette half-edge.
 pub(crate) fn find_silhouette_edge(faces: &mut Faces, loops: &FoundLoops, start: Start) -> Walk {
     let (mut entered, seeks_visible) = match start {
-        Start::Visible(entered) => (entered, false),
-        Start::Invisible(entered) => (entered, true),
+        Start::Visible(entered) => (Side::of(entered), false),
+        Start::Invisible(entered) => (Side::of(entered), true),
     };
     let mut walk = Walk { found: None, steps: 0, strayed: false };
     let mut turns_left = true;
     let mut first = None;
     loop {
         let sides = [entered.next_in_face(), entered.next_in_face().next_in_face()];
-        let across = sides.map(|side| faces.twin(side));
+        let across = sides.map(|side| faces.across(side));
         for (side, across) in sides.into_iter().zip(across) {
-            let is_front = across.is_some_and(|across| faces.is_front(across.face()));
+            let is_front = across.is_some_and(|across| faces.is_front(across.face));
             if is_front == seeks_visible {
-                walk.found = if seeks_visible { across } else { Some(side) };
+                walk.found = if seeks_visible { across } else { Some(side) }.map(Side::half_edge);
                 return walk;
             }
         }
-        if first.is_none() && faces.twin(entered).is_some() {
+        if first.is_none() && faces.across(entered).is_some() {
             first = Some((entered, turns_left));
         }
         let turn = if turns_left { [0, 1] } else { [1, 0] };
@@ -68,7 +69,7 @@ pub(crate) fn find_silhouette_edge(faces: &mut Faces, loops: &FoundLoops, start:
             return walk;
         };
         // The side of the crossed edge that was front in the last frame, if it was a silhouette then.
-        walk.strayed |= loops.is_old(if seeks_visible { side } else { next });
+        walk.strayed |= loops.is_old(if seeks_visible { side } else { next }.half_edge());
         walk.steps += 1;
         turns_left = !turns_left;
         entered = next;

@@ -83,7 +83,7 @@ impl PlaneTest {
 
     /// Whether a face is front; `None` where the bound does not tell.
     #[inline]
-    fn certified(&self, n: &[f32; 4]) -> Option<bool> {
+    fn certified(&self, n: [f32; 4]) -> Option<bool> {
         let p = &self.point;
         let distance = (p[0] * n[0] + p[1] * n[1]) + (p[2] * n[2] + p[3] * n[3]);
         // What is not a number is not certain.
@@ -92,7 +92,7 @@ impl PlaneTest {
 
     /// The exact facing of a face with this plane, whose corners `corners` yields.
     #[inline]
-    pub fn judge(&self, plane: &[f32; 4], corners: impl FnOnce() -> [Vec3; 3]) -> Judgement {
+    pub fn judge(&self, plane: [f32; 4], corners: impl FnOnce() -> [Vec3; 3]) -> Judgement {
         match self.certified(plane) {
             Some(true) => Judgement { facing: Facing::Front, exact_fallback: false },
             Some(false) => Judgement { facing: Facing::Back, exact_fallback: false },

@@ -12,7 +12,6 @@ use crate::complete_silhouette::FoundLoops;
 use crate::faces::Faces;
 use crate::stats::TrackingStats;
 use crate::track::{check_walks, follow};
-use silhouette_core::HalfEdgeId;
 use std::ops::ControlFlow;
 
 /// Tests as few edges of each old loop as lead to a new one.
@@ -22,36 +21,30 @@ pub(crate) fn track_single_edges(
     walk_start: WalkStart,
     stats: &mut TrackingStats,
 ) -> ControlFlow<()> {
-    let old_loops = std::mem::take(&mut loops.old);
-    let outcome = old_loops
-        .iter()
-        .enumerate()
-        .try_for_each(|(old, half_edges)| track_loop(faces, loops, old as u32, half_edges, walk_start, stats));
-    loops.old = old_loops;
-    outcome
+    (0..loops.old.loops.len()).try_for_each(|old| track_loop(faces, loops, old, walk_start, stats))
 }
 
 /// Tests edges of one old loop until one leads to a new loop.
 fn track_loop(
     faces: &mut Faces,
     loops: &mut FoundLoops,
-    old: u32,
-    half_edges: &[HalfEdgeId],
+    old: usize,
     walk_start: WalkStart,
     stats: &mut TrackingStats,
 ) -> ControlFlow<()> {
     for is_still_visible in [true, false] {
-        for &half_edge in half_edges {
-            if loops.loop_of(half_edge).is_some() || faces.is_front(half_edge.face()) != is_still_visible {
+        for place in loops.old.loops.range(old) {
+            let half_edge = loops.old.loops.half_edges()[place];
+            if loops.is_found(half_edge) || faces.is_front(half_edge.face()) != is_still_visible {
                 continue;
             }
             let lead = follow(faces, loops, half_edge, walk_start, stats);
             check_walks(faces, stats)?;
             let Some(lead) = lead else { continue };
-            let is_new = loops.loop_of(lead.half_edge).is_none();
+            let is_new = !loops.is_found(lead.half_edge);
             let new = loops.complete(faces, lead.half_edge);
             if let Some(shared) = lead.shared {
-                loops.relate(old, new, shared);
+                loops.relate(old as u32, new, shared);
             }
             if is_new {
                 return ControlFlow::Continue(());

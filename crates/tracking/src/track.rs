@@ -68,11 +68,11 @@ pub(crate) fn track_all_edges(
     walk_start: WalkStart,
     stats: &mut TrackingStats,
 ) -> ControlFlow<()> {
-    let old_loops = std::mem::take(&mut loops.old);
-    let outcome = old_loops.iter().enumerate().try_for_each(|(old, half_edges)| {
-        for &half_edge in half_edges {
+    for old in 0..loops.old.loops.len() {
+        for place in loops.old.loops.range(old) {
+            let half_edge = loops.old.loops.half_edges()[place];
             // Found before: part of the silhouette, and completing it noted where it came from.
-            if loops.loop_of(half_edge).is_some() {
+            if loops.is_found(half_edge) {
                 continue;
             }
             if let Some(lead) = follow(faces, loops, half_edge, walk_start, stats) {
@@ -83,8 +83,6 @@ pub(crate) fn track_all_edges(
             }
             check_walks(faces, stats)?;
         }
-        ControlFlow::Continue(())
-    });
-    loops.old = old_loops;
-    outcome
+    }
+    ControlFlow::Continue(())
 }

@@ -22,8 +22,8 @@ use std::sync::Arc;
 
 /// Follows the silhouette loops of a mesh from frame to frame. See the [crate](crate) for the method and what it costs.
 ///
-/// Memory beyond the artefacts: 13 bytes a face (a mark a half-edge, the memory of facings) and copies of the selected
-/// concave edges.
+/// Memory beyond the artefacts: 13 bytes a face (a place a half-edge, the memory of facings), 8 bytes a selected concave
+/// edge and 20 for each face there, some 40 bytes a silhouette edge.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     scene: Scene,
@@ -88,11 +88,10 @@ impl Tracker {
         self.stats = TrackingStats { brute_force: self.reason_for_brute_force(viewpoint), ..TrackingStats::default() };
         self.loops.begin_frame(3 * self.scene.face_count());
         self.find(viewpoint);
-        self.loops.end_frame();
-        self.identities.advance(self.loops.loops.len(), &self.loops.relations);
+        self.identities.advance(self.loops.now.loops.len(), &self.loops.relations);
         self.remember(viewpoint);
         if self.options.loop_order == LoopOrder::AsPrinted {
-            list_in_printed_order(&self.loops.loops, &mut self.printed);
+            list_in_printed_order(&self.loops.now.loops, &mut self.printed);
         }
         self.loops()
     }
@@ -106,12 +105,12 @@ impl Tracker {
             check_edges(&mut faces, loops, stats);
         } else {
             // Facings that are needed in any case come first, while nothing is known: in one run through memory.
-            faces.evaluate(active.faces.iter().copied());
+            faces.evaluate(active.faces.iter().copied().zip(active.planes.iter().copied()));
             let tracked = match options.tested_edges {
                 TestedEdges::All => track_all_edges(&mut faces, loops, options.walk_start, stats),
                 TestedEdges::Single => track_single_edges(&mut faces, loops, options.walk_start, stats),
             };
-            stats.loops_tracked = loops.loops.len() as u64;
+            stats.loops_tracked = loops.now.loops.len() as u64;
             if tracked.is_break() {
                 stats.brute_force = Some(BruteForceReason::LongWalks);
                 classify_the_rest(&mut faces);
@@ -119,17 +118,17 @@ impl Tracker {
             } else {
                 detect_in_concave_list(&mut faces, loops, active, stats);
                 detect_in_border_list(&mut faces, loops, scene.edges().border(), stats);
-                stats.loops_detected = loops.loops.len() as u64 - stats.loops_tracked;
+                stats.loops_detected = loops.now.loops.len() as u64 - stats.loops_tracked;
             }
         }
-        stats.edges_tested += loops.loops.half_edges().len() as u64;
+        stats.edges_tested += loops.now.loops.half_edges().len() as u64;
         stats.count(&faces.stats);
     }
 
     /// Why the next frame must not be tracked, if so.
     fn reason_for_brute_force(&self, viewpoint: &Viewpoint) -> Option<BruteForceReason> {
         let Some(last_view) = &self.last_view else { return Some(BruteForceReason::FirstFrame) };
-        if self.loops.loops.is_empty() {
+        if self.loops.now.loops.is_empty() {
             return Some(BruteForceReason::NothingToTrack);
         }
         let (turn, crossing) = match (*last_view, *viewpoint) {
@@ -196,7 +195,7 @@ impl Tracker {
             Concavity::Above(level_rad) => Some(level_rad),
             Concavity::Ignored => None,
         };
-        self.active.select(self.scene.concave(), level_rad, self.scene.face_count());
+        self.active.select(self.scene.concave(), level_rad, self.scene.surface().table);
     }
 
     /// Makes `positions` (one a vertex, in object space) those of the next frames; topology and loops are kept.
@@ -220,7 +219,7 @@ impl Tracker {
     /// The loops of the last frame.
     pub fn loops(&self) -> &SilhouetteLoops {
         match self.options.loop_order {
-            LoopOrder::Corrected => &self.loops.loops,
+            LoopOrder::Corrected => &self.loops.now.loops,
             LoopOrder::AsPrinted => &self.printed,
         }
     }
