@@ -149,7 +149,7 @@ impl FaceFacings {
         facings.clear(faces);
         for face in (0..faces).map(FaceId::from_usize) {
             if is_front(face) {
-                facings.set_front(face);
+                facings.set(face, Facing::Front);
             }
         }
         facings
@@ -162,13 +162,18 @@ impl FaceFacings {
         self.faces = faces;
     }
 
-    /// Marks a face as front.
+    /// Sets the facing of a face.
     ///
     /// # Panics
     /// If there is no such face.
-    pub fn set_front(&mut self, face: FaceId) {
+    #[inline]
+    pub fn set(&mut self, face: FaceId, facing: Facing) {
         assert!(face.index() < self.faces, "face {face} of {}", self.faces);
-        self.front[face.index() / 64] |= 1 << (face.index() % 64);
+        let (word, bit) = (&mut self.front[face.index() / 64], 1 << (face.index() % 64));
+        match facing {
+            Facing::Front => *word |= bit,
+            Facing::Back => *word &= !bit,
+        }
     }
 
     /// Number of faces.
@@ -185,6 +190,7 @@ impl FaceFacings {
     ///
     /// # Panics
     /// If the face is far out of range.
+    #[inline]
     pub fn is_front(&self, face: FaceId) -> bool {
         self.front[face.index() / 64] >> (face.index() % 64) & 1 == 1
     }

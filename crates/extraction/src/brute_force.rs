@@ -10,7 +10,7 @@
 //!
 //! One thread, no acceleration: every other method must equal this one, so its code has to be right at a glance.
 
-use silhouette_core::facing::{Facing, judge};
+use silhouette_core::facing::judge;
 use silhouette_core::id::{FaceId, HalfEdgeId};
 use silhouette_core::loops::LoopWalker;
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError, Source};
@@ -72,9 +72,7 @@ impl BruteForce {
         let mut exact_fallbacks = 0;
         for face in (0..faces).map(FaceId::from_usize) {
             let judgement = judge(self.mesh.corners(face), viewpoint);
-            if judgement.facing == Facing::Front {
-                self.facings.set_front(face);
-            }
+            self.facings.set(face, judgement.facing);
             exact_fallbacks += u64::from(judgement.exact_fallback);
         }
         exact_fallbacks

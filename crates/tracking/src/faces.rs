@@ -15,7 +15,7 @@ pub(crate) struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    fn corners(&self, face: FaceId) -> [Vec3; 3] {
+    pub fn corners(&self, face: FaceId) -> [Vec3; 3] {
         self.triangles[face.index()].map(|vertex| self.positions[vertex as usize])
     }
 }
@@ -59,6 +59,16 @@ impl<'a> Faces<'a> {
             stats.exact_fallbacks += u64::from(judgement.exact_fallback);
             memo.record(face, judgement.facing);
         }
+    }
+
+    /// Length of half-edges in object space. O(their number).
+    pub fn length_of(&self, half_edges: &[HalfEdgeId]) -> f64 {
+        let length = |half_edge: &HalfEdgeId| {
+            let corners = self.surface.corners(half_edge.face());
+            let [a, b] = [half_edge, &half_edge.next_in_face()].map(|end| corners[end.slot() as usize]);
+            a.as_dvec3().distance(b.as_dvec3())
+        };
+        half_edges.iter().map(length).sum()
     }
 
     /// The half-edge across, if there is a face across.

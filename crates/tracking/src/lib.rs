@@ -49,10 +49,12 @@
 
 pub mod as_printed;
 pub mod brute_force;
+mod budget;
 mod complete_silhouette;
 mod concave_edges;
 mod connectivity_table;
 mod detect_new;
+mod exact;
 mod eye_crossing;
 mod faces;
 mod find_silhouette_edge;
@@ -68,11 +70,12 @@ mod track;
 mod tracker;
 
 pub use brute_force::BruteForce;
+pub use budget::Audit;
 pub use concave_edges::{ConcaveEdge, TrackedEdges};
 pub use connectivity_table::ConnectivityTable;
 pub use identity::{LoopEvent, LoopEvents, LoopId, LoopIdentities, Relation};
-pub use method::Tracking;
-pub use options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};
+pub use method::{ExactTracking, Tracking};
+pub use options::{Accuracy, Concavity, ErrorBudget, MeshPolicy, TestedEdges, TrackingOptions};
 pub use refuse::{Defect, DefectKind, NotTrackable};
 pub use stats::{BruteForceReason, TrackingStats};
 pub use tracker::Tracker;

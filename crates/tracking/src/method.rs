@@ -3,7 +3,7 @@
 use crate::as_printed::{LoopOrder, WalkStart};
 use crate::concave_edges::TrackedEdges;
 use crate::connectivity_table::ConnectivityTable;
-use crate::options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};
+use crate::options::{Accuracy, Concavity, ErrorBudget, MeshPolicy, TestedEdges, TrackingOptions};
 use crate::tracker::Tracker;
 use silhouette_core::glam::Vec3;
 use silhouette_core::loops::LoopStart;
@@ -51,6 +51,19 @@ const OPTIONS: &[OptionSpec] = &[
         kind: OptionKind::Number { min: 0.0, max: 3.2, default: 0.0 },
     },
     OptionSpec {
+        name: "missed-share",
+        summary: "Share of the silhouette's length that may be missed. Above 0 it sets the level while tracking, by what \
+                  audits see missed.",
+        unit: "",
+        kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.0 },
+    },
+    OptionSpec {
+        name: "audit-share",
+        summary: "Faces that audits may evaluate, over those that tracking evaluates.",
+        unit: "",
+        kind: OptionKind::Number { min: 1e-6, max: 1000.0, default: 0.1 },
+    },
+    OptionSpec {
         name: "tested-edges",
         summary: "How many edges of each old loop are tested: all, or one and more only where it leads nowhere.",
         unit: "",
@@ -77,7 +90,10 @@ const OPTIONS: &[OptionSpec] = &[
 ];
 
 fn options(values: &OptionValues) -> Result<TrackingOptions, PrepareError> {
+    let missed_share = values.number("missed-share")? as f32;
+    let budget = ErrorBudget { missed_share, audit_share: values.number("audit-share")? as f32 };
     Ok(TrackingOptions {
+        accuracy: if missed_share > 0.0 { Accuracy::Budget(budget) } else { Accuracy::Level },
         concavity: Concavity::Above(values.number("concavity")? as f32),
         tested_edges: if values.choice("tested-edges")? == "all" { TestedEdges::All } else { TestedEdges::Single },
         mesh_policy: if values.choice("mesh")? == "refuse" { MeshPolicy::Refuse } else { MeshPolicy::Cut },
@@ -89,6 +105,18 @@ fn options(values: &OptionValues) -> Result<TrackingOptions, PrepareError> {
         // Loops of this trait run along their half-edges.
         loop_order: LoopOrder::Corrected,
     })
+}
+
+fn prepare(
+    asker: &'static str,
+    mesh: &Arc<PreparedMesh>,
+    options: TrackingOptions,
+    progress: &dyn Progress,
+) -> Result<Tracking, PrepareError> {
+    let table = mesh.artefact::<ConnectivityTable>(asker, progress)?;
+    let edges = mesh.artefact::<TrackedEdges>(asker, progress)?;
+    let tracker = Tracker::new(Arc::clone(mesh.mesh()), table, edges, options);
+    Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?.into())
 }
 
 impl Method for Tracking {
@@ -103,11 +131,7 @@ impl Method for Tracking {
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, values: &OptionValues, progress: &dyn Progress) -> Result<Self, PrepareError> {
-        let options = options(values)?;
-        let table = mesh.artefact::<ConnectivityTable>(Self::INFO.name, progress)?;
-        let edges = mesh.artefact::<TrackedEdges>(Self::INFO.name, progress)?;
-        let tracker = Tracker::new(Arc::clone(mesh.mesh()), table, edges, options);
-        Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?.into())
+        prepare(Self::INFO.name, mesh, options(values)?, progress)
     }
 
     fn bytes(&self) -> usize {
@@ -136,5 +160,58 @@ impl ExtractsLoops for Tracking {
         let Self { tracker, starts } = self;
         out.refill_ordered(tracker.table().topology(), tracker.loops(), starts);
         tracker.stats().extraction()
+    }
+}
+
+/// [`Tracking`] in its [exact](Accuracy::Exact) mode: a method of its own, since its answers are those of brute force.
+#[derive(Debug, Clone)]
+pub struct ExactTracking(Tracking);
+
+impl ExactTracking {
+    /// The tracker, for ids, events and stats of the last frame.
+    pub fn tracker(&self) -> &Tracker {
+        self.0.tracker()
+    }
+}
+
+impl Method for ExactTracking {
+    const INFO: MethodInfo = MethodInfo {
+        name: "tracking-exact",
+        summary: "Keeps the last view's loops but for those that a turned face touches; knows by the eye's path which \
+                  faces may have turned; exact.",
+        exact: true,
+        options: &[],
+        ..Tracking::INFO
+    };
+
+    fn prepare(
+        mesh: &Arc<PreparedMesh>,
+        _values: &OptionValues,
+        progress: &dyn Progress,
+    ) -> Result<Self, PrepareError> {
+        let options = TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() };
+        prepare(Self::INFO.name, mesh, options, progress).map(Self)
+    }
+
+    fn bytes(&self) -> usize {
+        self.0.bytes()
+    }
+}
+
+impl ExtractsEdges for ExactTracking {
+    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
+        self.0.extract_edges(viewpoint, out)
+    }
+}
+
+impl ExtractsMovingEdges for ExactTracking {
+    fn update_positions(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
+        self.0.update_positions(positions)
+    }
+}
+
+impl ExtractsLoops for ExactTracking {
+    fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats {
+        self.0.extract_loops(viewpoint, out)
     }
 }

@@ -13,6 +13,27 @@ pub enum Concavity {
     Ignored,
 }
 
+/// How sure a user wants to be that no loop is missed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Accuracy {
+    /// As sure as the concavity level makes it (Hall 2003).
+    #[default]
+    Level,
+    /// Sure: every loop of every frame. Level, tested edges, jump and the start of walks then play no part.
+    Exact,
+    /// The level is set while tracking so that about this much is missed; [`TrackingOptions::concavity`] plays no part.
+    Budget(ErrorBudget),
+}
+
+/// What tracking may miss, and what it may spend to find out what it missed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ErrorBudget {
+    /// Length of silhouette that may be missed, over the whole length, 0 to 1.
+    pub missed_share: f32,
+    /// Faces that audits may evaluate, over those that tracking evaluates, above 0.
+    pub audit_share: f32,
+}
+
 /// How many edges of each old loop are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TestedEdges {
@@ -37,6 +58,8 @@ pub enum MeshPolicy {
 /// Options of a [`Tracker`](crate::Tracker).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrackingOptions {
+    /// How sure it is that no loop is missed. Default: by level.
+    pub accuracy: Accuracy,
     /// Which concave edges are searched. Default: all, `Above(0.0)`.
     pub concavity: Concavity,
     /// How many edges of each old loop are tested. Default: all.
@@ -57,6 +80,7 @@ pub struct TrackingOptions {
 impl Default for TrackingOptions {
     fn default() -> Self {
         Self {
+            accuracy: Accuracy::default(),
             concavity: Concavity::Above(0.0),
             tested_edges: TestedEdges::default(),
             mesh_policy: MeshPolicy::default(),

@@ -61,6 +61,8 @@ pub(crate) struct PlaneTest {
     viewpoint: Viewpoint,
     point: [f32; 4],
     error: f32,
+    /// Length of a unit of distance in the space that views move in: 1 for eyes, 1 / |W| for directions W.
+    unit: f64,
 }
 
 impl PlaneTest {
@@ -78,14 +80,29 @@ impl PlaneTest {
             }
         };
         let [x, y, z] = point.as_vec3().to_array();
-        Self { viewpoint: *viewpoint, point: [x, y, z, weight], error }
+        let unit = if weight == 0.0 { point.length().recip() } else { 1.0 };
+        Self { viewpoint: *viewpoint, point: [x, y, z, weight], error, unit }
+    }
+
+    #[inline]
+    fn distance(&self, n: [f32; 4]) -> f32 {
+        let p = &self.point;
+        (p[0] * n[0] + p[1] * n[1]) + (p[2] * n[2] + p[3] * n[3])
+    }
+
+    /// Distance of the eye from a plane, or sine of a direction's angle with it; never too great, and 0 where the plane
+    /// does not tell.
+    #[inline]
+    pub fn height(&self, n: [f32; 4]) -> f64 {
+        let height = (f64::from(self.distance(n).abs()) - f64::from(self.error)) * self.unit;
+        // Not a number where the error is infinite: then the maximum is 0.
+        (height * (1.0 - 4.0 * f64::EPSILON)).max(0.0)
     }
 
     /// Whether a face is front; `None` where the bound does not tell.
     #[inline]
     fn certified(&self, n: [f32; 4]) -> Option<bool> {
-        let p = &self.point;
-        let distance = (p[0] * n[0] + p[1] * n[1]) + (p[2] * n[2] + p[3] * n[3]);
+        let distance = self.distance(n);
         // What is not a number is not certain.
         if distance.abs() > self.error { Some(distance > 0.0) } else { None }
     }

@@ -38,6 +38,8 @@ pub struct TrackingStats {
     pub loops_tracked: u64,
     /// Loops completed from concave or border edges.
     pub loops_detected: u64,
+    /// Whether the frame was audited, and is exact for it.
+    pub audited: bool,
     /// Why the frame was found by brute force, if it was.
     pub brute_force: Option<BruteForceReason>,
 }

@@ -2,14 +2,16 @@
 
 use crate::as_printed::{LoopOrder, list_in_printed_order};
 use crate::brute_force::{check_edges, classify, classify_the_rest};
+use crate::budget::{Audit, BudgetMode};
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::{ActiveEdges, TrackedEdges};
 use crate::connectivity_table::ConnectivityTable;
 use crate::detect_new::{detect_in_border_list, detect_in_concave_list};
+use crate::exact::ExactMode;
 use crate::eye_crossing::ClearBall;
 use crate::faces::Faces;
 use crate::identity::{LoopEvents, LoopId, LoopIdentities};
-use crate::options::{Concavity, MeshPolicy, TestedEdges, TrackingOptions};
+use crate::options::{Accuracy, Concavity, MeshPolicy, TestedEdges, TrackingOptions};
 use crate::refuse::NotTrackable;
 use crate::scene::Scene;
 use crate::single_edge::track_single_edges;
@@ -36,6 +38,9 @@ pub struct Tracker {
     stats: TrackingStats,
     last_view: Option<Viewpoint>,
     clear_ball: ClearBall,
+    exact: ExactMode,
+    budget: Option<BudgetMode>,
+    last_audit: Option<Audit>,
     /// Box around the mesh where the last frame saw it; differs from the mesh's own after it moved.
     last_bounds: [DVec3; 2],
 }
@@ -71,6 +76,12 @@ impl Tracker {
             stats: TrackingStats::default(),
             last_view: None,
             clear_ball: ClearBall::default(),
+            exact: ExactMode::default(),
+            budget: match options.accuracy {
+                Accuracy::Budget(budget) => Some(BudgetMode::new(budget)),
+                Accuracy::Level | Accuracy::Exact => None,
+            },
+            last_audit: None,
             last_bounds,
         };
         tracker.select();
@@ -85,7 +96,13 @@ impl Tracker {
     ///
     /// What is missed, and when, stands in the [crate](crate)'s documentation; what is found is always silhouette.
     pub fn update(&mut self, viewpoint: &Viewpoint) -> &SilhouetteLoops {
-        self.stats = TrackingStats { brute_force: self.reason_for_brute_force(viewpoint), ..TrackingStats::default() };
+        self.stats = TrackingStats::default();
+        if self.options.accuracy == Accuracy::Exact {
+            self.exact.find(&self.scene.surface(), viewpoint, &mut self.stats);
+            self.identities.advance(self.exact.loops().len(), self.exact.relations());
+            return self.loops();
+        }
+        self.stats.brute_force = self.reason_for_brute_force(viewpoint);
         self.loops.begin_frame(3 * self.scene.face_count());
         self.find(viewpoint);
         self.identities.advance(self.loops.now.loops.len(), &self.loops.relations);
@@ -98,7 +115,7 @@ impl Tracker {
 
     /// Steps 2 to 4 of the paper's Introduction, or step 2 alone.
     fn find(&mut self, viewpoint: &Viewpoint) {
-        let Self { scene, options, active, memo, loops, stats, .. } = self;
+        let Self { scene, options, active, memo, loops, stats, budget, last_audit, .. } = self;
         let mut faces = Faces::new(scene.surface(), viewpoint, memo);
         if stats.brute_force.is_some() {
             classify(&mut faces);
@@ -119,6 +136,21 @@ impl Tracker {
                 detect_in_concave_list(&mut faces, loops, active, stats);
                 detect_in_border_list(&mut faces, loops, scene.edges().border(), stats);
                 stats.loops_detected = loops.now.loops.len() as u64 - stats.loops_tracked;
+            }
+        }
+        if let (Some(budget), None) = (budget, stats.brute_force)
+            && budget.is_due(faces.stats.faces_tested, scene.face_count())
+        {
+            let tracked = faces.length_of(loops.now.loops.half_edges());
+            classify_the_rest(&mut faces);
+            check_edges(&mut faces, loops, stats);
+            let whole = faces.length_of(loops.now.loops.half_edges());
+            let audit = budget.conclude(if whole > 0.0 { (1.0 - tracked / whole).max(0.0) } else { 0.0 });
+            stats.audited = true;
+            *last_audit = Some(audit);
+            if audit.next_level != options.concavity {
+                options.concavity = audit.next_level;
+                select(scene, active, options.concavity);
             }
         }
         stats.edges_tested += loops.now.loops.half_edges().len() as u64;
@@ -182,20 +214,17 @@ impl Tracker {
         self.printed.clear();
         self.identities.forget();
         self.last_view = None;
+        self.exact.forget();
     }
 
-    /// Selects the concave edges that the next frames search. O(C + F / 64) for C concave edges; allocates nothing.
+    /// Selects the concave edges that the next frames search, until the next audit where there is a budget. O(C + F / 64) for C concave edges; allocates nothing.
     pub fn set_concavity(&mut self, concavity: Concavity) {
         self.options.concavity = concavity;
         self.select();
     }
 
     fn select(&mut self) {
-        let level_rad = match self.options.concavity {
-            Concavity::Above(level_rad) => Some(level_rad),
-            Concavity::Ignored => None,
-        };
-        self.active.select(self.scene.concave(), level_rad, self.scene.surface().table);
+        select(&self.scene, &mut self.active, self.options.concavity);
     }
 
     /// Makes `positions` (one a vertex, in object space) those of the next frames; topology and loops are kept.
@@ -212,15 +241,17 @@ impl Tracker {
         self.scene.update_positions(positions)?;
         self.last_bounds = [self.last_bounds[0].min(bounds[0]), self.last_bounds[1].max(bounds[1])];
         self.clear_ball.forget();
+        self.exact.forget_facings();
         self.select();
         Ok(())
     }
 
     /// The loops of the last frame.
     pub fn loops(&self) -> &SilhouetteLoops {
-        match self.options.loop_order {
-            LoopOrder::Corrected => &self.loops.now.loops,
-            LoopOrder::AsPrinted => &self.printed,
+        match (self.options.accuracy, self.options.loop_order) {
+            (Accuracy::Exact, _) => self.exact.loops(),
+            (_, LoopOrder::Corrected) => &self.loops.now.loops,
+            (_, LoopOrder::AsPrinted) => &self.printed,
         }
     }
 
@@ -237,6 +268,11 @@ impl Tracker {
     /// What the last frame took.
     pub fn stats(&self) -> &TrackingStats {
         &self.stats
+    }
+
+    /// What the last audit of a tracker with an [`ErrorBudget`](crate::ErrorBudget) saw; `None` before the first.
+    pub fn last_audit(&self) -> Option<&Audit> {
+        self.last_audit.as_ref()
     }
 
     /// The options in force.
@@ -257,6 +293,15 @@ impl Tracker {
     /// Bytes held beyond the mesh and its artefacts.
     pub fn bytes(&self) -> usize {
         let frame = self.memo.bytes() + self.loops.bytes() + self.printed.bytes() + self.identities.bytes();
-        self.scene.bytes() + self.active.bytes() + frame
+        self.scene.bytes() + self.active.bytes() + frame + self.exact.bytes()
     }
+}
+
+/// Gathers the concave edges of a level.
+fn select(scene: &Scene, active: &mut ActiveEdges, concavity: Concavity) {
+    let level_rad = match concavity {
+        Concavity::Above(level_rad) => Some(level_rad),
+        Concavity::Ignored => None,
+    };
+    active.select(scene.concave(), level_rad, scene.surface().table);
 }

@@ -2,8 +2,10 @@
 
 mod allocations;
 mod as_printed;
+mod budget;
 mod counted;
 mod defects;
+mod exact;
 mod fallbacks;
 mod identity;
 mod moving;
