@@ -73,7 +73,7 @@ fn any_view_may_follow_any_other() {
         let mut oracle = Oracle::default();
         let mut random = Random(scene.mesh.face_count() as u64);
         let (center, radius) = scene.mesh.bounds().map(|bounds| (bounds.center, bounds.radius)).unwrap();
-        for frame in 0..400 {
+        for frame in 0..120 {
             let corners = scene.mesh.triangles()[random.below(scene.mesh.face_count())];
             let [a, b, c] = corners.map(|vertex| scene.mesh.positions()[vertex as usize]);
             let view = match random.below(6) {
