@@ -30,6 +30,8 @@ pub(crate) struct Certificates {
     /// The least of each block, and the least of each group of blocks.
     blocks: Vec<f64>,
     groups: Vec<f64>,
+    /// Scratch: blocks with a face that is due.
+    due_blocks: Vec<u32>,
     /// Length of the path so far, or more.
     travelled: f64,
 }
@@ -57,16 +59,26 @@ impl Certificates {
 
     /// Replaces `due` by the faces that are due, ascending. O(F / 512 + 8 for each block and 64 for each group with a due
     /// face).
-    pub fn collect_due(&self, due: &mut Vec<FaceId>) {
-        due.clear();
-        for (group, _) in self.groups.iter().enumerate().filter(|&(_, &expiry)| expiry <= self.travelled) {
+    pub fn collect_due(&mut self, due: &mut Vec<FaceId>) {
+        let Self { expiries, blocks, groups, due_blocks, travelled } = self;
+        let travelled = *travelled;
+        due_blocks.clear();
+        for (group, _) in groups.iter().enumerate().filter(|&(_, &expiry)| expiry <= travelled) {
             let first_block = group * GROUP;
-            let blocks = &self.blocks[first_block..self.blocks.len().min(first_block + GROUP)];
-            for (block, _) in blocks.iter().enumerate().filter(|&(_, &expiry)| expiry <= self.travelled) {
-                let first_face = (first_block + block) * BLOCK;
-                let expiries = &self.expiries[first_face..self.expiries.len().min(first_face + BLOCK)];
-                let is_due = expiries.iter().enumerate().filter(|&(_, &expiry)| expiry <= self.travelled);
-                due.extend(is_due.map(|(face, _)| FaceId::from_usize(first_face + face)));
+            let blocks = &blocks[first_block..blocks.len().min(first_block + GROUP)];
+            let is_due = blocks.iter().enumerate().filter(|&(_, &expiry)| expiry <= travelled);
+            due_blocks.extend(is_due.map(|(block, _)| (first_block + block) as u32));
+        }
+        due.clear();
+        // In a second pass, so that the misses of the cache, one a block, overlap.
+        for &block in &*due_blocks {
+            let first_face = block as usize * BLOCK;
+            let expiries = &expiries[first_face..expiries.len().min(first_face + BLOCK)];
+            let bit = |(face, &expiry): (usize, &f64)| u32::from(expiry <= travelled) << face;
+            let mut bits = expiries.iter().enumerate().map(bit).fold(0, std::ops::BitOr::bitor);
+            while bits != 0 {
+                due.push(FaceId::from_usize(first_face + bits.trailing_zeros() as usize));
+                bits &= bits - 1;
             }
         }
     }
@@ -91,7 +103,8 @@ impl Certificates {
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        [&self.expiries, &self.blocks, &self.groups].map(|values| size_of_val(values.as_slice())).iter().sum()
+        let values = [&self.expiries, &self.blocks, &self.groups].map(|values| size_of_val(values.as_slice()));
+        values.iter().sum::<usize>() + size_of_val(self.due_blocks.as_slice())
     }
 }
 

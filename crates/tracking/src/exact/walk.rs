@@ -109,9 +109,8 @@ impl LoopWeaver {
         let mut run = Relation { old: u32::MAX, new: index, shared: 0 };
         // Places of the old loop of the last old half-edge.
         let mut range = 0..0;
-        let mut half_edge = start;
+        let (mut half_edge, mut place) = (start, self.old_place(start));
         loop {
-            let place = self.old_place(half_edge);
             // A new half-edge whose twin was silhouette lies on the same edge of the same old loop.
             let from = place.or_else(|| table.twin(half_edge).and_then(|twin| self.old_place(twin)));
             if let Some(from) = from {
@@ -125,9 +124,15 @@ impl LoopWeaver {
             }
             self.places[half_edge.index()] = self.loops.half_edges().len() as u32;
             self.loops.push(half_edge);
-            half_edge = place.and_then(|place| self.copied(place, &range)).unwrap_or_else(|| {
-                next_silhouette_side(table, |face| facings.is_front(face), Side::of(half_edge)).half_edge()
-            });
+            match place.and_then(|place| self.next_place(place, &range)) {
+                // Not asked of the half-edge: in a run of copies nothing then waits for the one before.
+                Some(next) => (half_edge, place) = (self.old.half_edges()[next], Some(next)),
+                None => {
+                    let is_front = |face| facings.is_front(face);
+                    half_edge = next_silhouette_side(table, is_front, Side::of(half_edge)).half_edge();
+                    place = self.old_place(half_edge);
+                }
+            }
             if half_edge == start {
                 break;
             }
@@ -136,12 +141,12 @@ impl LoopWeaver {
         self.loops.end_loop();
     }
 
-    /// What followed the old half-edge at a place, in the loop with this range, if it still does.
+    /// Place of what followed the old half-edge at a place, in the loop with this range, if it still does.
     #[inline]
-    fn copied(&self, place: usize, range: &Range<usize>) -> Option<HalfEdgeId> {
+    fn next_place(&self, place: usize, range: &Range<usize>) -> Option<usize> {
         let next = if place + 1 == range.end { range.start } else { place + 1 };
         let still_follows = self.fates[place] == Fate::Same && self.fates[next] != Fate::Gone;
-        still_follows.then(|| self.old.half_edges()[next])
+        still_follows.then_some(next)
     }
 
     /// Bytes held.
