@@ -4,9 +4,9 @@
 //!         [--elevation DEG] [--distance RADII] [--level RAD]
 //!
 //! where MESH is a file or `builtin:NAME`. The orbit is sampled: twelve arcs evenly around the mesh, each of as many
-//! consecutive frames, of which the first is not counted. One thread; variants take turns arc by arc, so that caches hold
-//! what they would in an application and a change of the machine's speed meets all alike; they do so several times: a
-//! frame's time is its least, and the median over frames is shown.
+//! consecutive frames, of which the first is not counted. One thread; variants take turns arc by arc, so that caches
+//! hold what they would in an application and a change of the machine's speed meets all alike; they do so several
+//! times: a frame's time is its least, and the median over frames is shown.
 
 use silhouette_core::glam::DVec3;
 use silhouette_core::{NoProgress, PreparedMesh, SilhouetteLoops, TriangleMesh, Viewpoint, load, shapes};

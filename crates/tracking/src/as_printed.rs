@@ -9,8 +9,8 @@
 //! | Find Silhouette Edge | starts at the old visible face | walks outwards run away from the silhouette | [`WalkStart`] |
 //! | Find Silhouette Edge | `WHILE TRUE` | never ends where all faces are visible | [`find_silhouette_edge`] |
 //!
-//! What terminates is an option of the tracker ([`LoopOrder`], [`WalkStart`]) or of [`complete_silhouette`]; what does not
-//! is run with a bound on its steps. Nothing here is fast, and the tracker uses none of the functions.
+//! What terminates is an option of the tracker ([`LoopOrder`], [`WalkStart`]) or of [`complete_silhouette`]; what does
+//! not is run with a bound on its steps. Nothing here is fast, and the tracker uses none of the functions.
 
 use silhouette_core::topology::Twin;
 use silhouette_core::{FaceId, HalfEdgeId, SilhouetteLoops, Topology};
@@ -73,8 +73,8 @@ pub struct PrintedLoop {
     pub ended: bool,
 }
 
-/// Complete Silhouette with the printed stop test, the printed entries, both or neither, for at most `max_steps` rounds of
-/// its loop. The list runs against the half-edges, as printed.
+/// Complete Silhouette with the printed stop test, the printed entries, both or neither, for at most `max_steps` rounds
+/// of its loop. The list runs against the half-edges, as printed.
 ///
 /// # Panics
 /// If `start` is no half-edge of the mesh.
@@ -108,8 +108,8 @@ pub fn complete_silhouette(
     PrintedLoop { entries, ended: false }
 }
 
-/// Find Silhouette Edge as printed, from a visible face entered through one of its sides, for at most `max_steps` rounds
-/// of its loop; the half-edge and how many rounds it took.
+/// Find Silhouette Edge as printed, from a visible face entered through one of its sides, for at most `max_steps`
+/// rounds of its loop; the half-edge and how many rounds it took.
 ///
 /// # Panics
 /// If `from` is no half-edge of the mesh.

@@ -1,21 +1,22 @@
 //! Complete Silhouette (Hall 2003): from one silhouette half-edge all of its loop; and the set of loops found so far.
 //!
 //! The walk hugs the front faces along the silhouette until it is back: from a half-edge it turns about the end vertex,
-//! inside the fan of front faces. Each turn is undone by one the other way, so the walk is a permutation of the silhouette
-//! half-edges and always comes back. Departures, all of which concern the printed text
-//! ([`as_printed`](crate::as_printed)): it runs forward, so that front faces are on the left; it stops where it began; it
-//! lists half-edges of front faces. (It is what `silhouette_core::loops` does for any mesh, on the table of this one.)
+//! inside the fan of front faces. Each turn is undone by one the other way, so the walk is a permutation of the
+//! silhouette half-edges and always comes back. Departures, all of which concern the printed text
+//! ([`as_printed`](crate::as_printed)): it runs forward, so that front faces are on the left; it stops where it began;
+//! it lists half-edges of front faces. (It is what `silhouette_core::loops` does for any mesh, on the table of this
+//! one.)
 //!
 //! # Coherence
 //!
-//! Where the walk comes to a half-edge of the last frame, it asks the same faces in the same order as it did then, until
-//! one has turned. So each frame keeps the *trail* of its walks, the faces asked about with their answers, and the next
-//! frame runs along it as long as the answers are the same: no face more or less is evaluated, but none waits for the one
-//! before, and the processor predicts the outcome. Only where a face has turned does it walk.
+//! Where the walk comes to a half-edge of the last frame, it asks the same faces in the same order as it did then,
+//! until one has turned. So each frame keeps the *trail* of its walks, the faces asked about with their answers, and
+//! the next frame runs along it as long as the answers are the same: no face more or less is evaluated, but none waits
+//! for the one before, and the processor predicts the outcome. Only where a face has turned does it walk.
 //!
 //! The set that keeps double silhouettes out is a place a half-edge: where in the list of this or the last frame it
-//! stands, if it does stand there. So nothing is ever cleared, and completing a loop also learns from which old loops its
-//! half-edges came.
+//! stands, if it does stand there. So nothing is ever cleared, and completing a loop also learns from which old loops
+//! its half-edges came.
 
 use crate::connectivity_table::Side;
 use crate::faces::Faces;
@@ -103,7 +104,8 @@ impl FoundLoops {
         self.now.loops.half_edges().get(place) == Some(&half_edge)
     }
 
-    /// Whether a half-edge was silhouette in the last frame. Of one that was found in this frame there may be no answer.
+    /// Whether a half-edge was silhouette in the last frame. Of one that was found in this frame there may be no
+    /// answer.
     #[inline]
     pub fn is_old(&self, half_edge: HalfEdgeId) -> bool {
         self.old_place(half_edge).is_some()
@@ -167,8 +169,8 @@ impl FoundLoops {
         index
     }
 
-    /// Takes over old half-edges from these places as long as every face asked about on the way to the next one answers as
-    /// before. The place of the first half-edge from which another way leads on, or the end.
+    /// Takes over old half-edges from these places as long as every face asked about on the way to the next one answers
+    /// as before. The place of the first half-edge from which another way leads on, or the end.
     fn run(&mut self, faces: &mut Faces, places: Range<usize>) -> usize {
         let Self { now, old, places: place_of, .. } = self;
         let begin = old.trail_begin(places.start);
@@ -193,8 +195,8 @@ impl FoundLoops {
         reached
     }
 
-    /// Lists a silhouette half-edge and turns about its end vertex, inside the fan of front faces, to the next. O(faces in
-    /// the fan).
+    /// Lists a silhouette half-edge and turns about its end vertex, inside the fan of front faces, to the next. O(faces
+    /// in the fan).
     fn step(&mut self, faces: &mut Faces, half_edge: HalfEdgeId) -> HalfEdgeId {
         let WalkedLoops { loops, trail, trail_ends } = &mut self.now;
         self.places[half_edge.index()] = trail_ends.len() as u32;

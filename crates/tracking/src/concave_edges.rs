@@ -5,8 +5,8 @@
 //! holds for exact facings and exact concavity only. `angle` is by how much `pi` is exceeded, in radians, 0 to `pi`.
 //!
 //! Two cases beyond Hall's. An edge whose faces are folded onto each other has an angle of `pi`, on whichever side they
-//! lie: no view sees both, as at a border. So has an edge of a face whose plane 64-bit arithmetic cannot tell (needles, no
-//! area): such a face may stay back while all around it turns.
+//! lie: no view sees both, as at a border. So has an edge of a face whose plane 64-bit arithmetic cannot tell (needles,
+//! no area): such a face may stay back while all around it turns.
 
 use crate::connectivity_table::ConnectivityTable;
 use silhouette_core::facing::{Facing, judge};
@@ -148,8 +148,8 @@ impl Artefact for TrackedEdges {
     }
 }
 
-/// The concave edges that a concavity level selects: the head of the list by angle, copied in the order of half-edges, so
-/// that a frame runs through memory once and in one direction.
+/// The concave edges that a concavity level selects: the head of the list by angle, copied in the order of half-edges,
+/// so that a frame runs through memory once and in one direction.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ActiveEdges {
     pub half_edges: Vec<[HalfEdgeId; 2]>,

@@ -1,7 +1,8 @@
 //! Preparation (Hall 2003): the edge connectivity table, which maps each face to its neighbours and keeps its plane.
 //!
-//! Departure: an entry names the half-edge across, not only the face, since two faces may share several edges. Plane and
-//! neighbours of a face lie side by side, 32 bytes, half a cache line: a walk looks at both of each face it comes to.
+//! Departure: an entry names the half-edge across, not only the face, since two faces may share several edges. Plane
+//! and neighbours of a face lie side by side, 32 bytes, half a cache line: a walk looks at both of each face it comes
+//! to.
 
 use crate::plane_test::{PlaneTest, plane};
 use crate::refuse::{self, Defect};

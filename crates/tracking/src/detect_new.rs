@@ -1,8 +1,8 @@
 //! Detecting new silhouettes (Hall 2003): in the concave list, then in the border list.
 //!
-//! A face that turns while its neighbours do not is born, or dies, as a silhouette of its own: that happens at a concave
-//! edge of the face, or at a border, as long as the eye does not cross the surface. Parts that split off a silhouette are
-//! no births, and tracking has to follow them.
+//! A face that turns while its neighbours do not is born, or dies, as a silhouette of its own: that happens at a
+//! concave edge of the face, or at a border, as long as the eye does not cross the surface. Parts that split off a
+//! silhouette are no births, and tracking has to follow them.
 
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::ActiveEdges;

@@ -1,8 +1,8 @@
 //! Whether the eye may have crossed the surface between two frames, where tracking must not be trusted.
 //!
 //! New silhouettes come from concave edges only while the eye stays on its side of the surface: an eye that leaves a
-//! convex body through a face sees a silhouette without any concave edge. The test is sound and cheap: where it says no,
-//! the segment from eye to eye does not meet the surface. It says no if
+//! convex body through a face sees a silhouette without any concave edge. The test is sound and cheap: where it says
+//! no, the segment from eye to eye does not meet the surface. It says no if
 //!
 //! 1. the eye did not move; or
 //! 2. the segment misses the box around the mesh; or

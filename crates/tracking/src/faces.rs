@@ -48,8 +48,8 @@ impl<'a> Faces<'a> {
         self.memo.recall(face)
     }
 
-    /// Evaluates faces of which nothing is known yet, each named once, by their planes: without the question whether it is
-    /// known, whose answer no branch predictor could guess.
+    /// Evaluates faces of which nothing is known yet, each named once, by their planes: without the question whether it
+    /// is known, whose answer no branch predictor could guess.
     pub fn evaluate(&mut self, planes: impl ExactSizeIterator<Item = (FaceId, [f32; 4])>) {
         let Self { surface, test, memo, stats } = self;
         let (surface, test) = (*surface, *test);

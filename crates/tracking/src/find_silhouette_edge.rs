@@ -1,17 +1,17 @@
 //! Find Silhouette Edge (Hall 2003): a left-right walk over faces from an old silhouette edge to the silhouette of now.
 //!
-//! The walk enters a face through one of its sides and looks across the other two. Seeking the first *invisible* face, it
-//! stands on visible ones and ends at a side across which there is a back face or none; seeking the first *visible* face,
-//! it stands on invisible ones and ends at the front face across. Otherwise it crosses left and right by turns.
+//! The walk enters a face through one of its sides and looks across the other two. Seeking the first *invisible* face,
+//! it stands on visible ones and ends at a side across which there is a back face or none; seeking the first *visible*
+//! face, it stands on invisible ones and ends at the front face across. Otherwise it crosses left and right by turns.
 //!
 //! Departures:
 //!
-//! 1. It starts into the side that the silhouette moved to ([`Start`]). Called as Hall's parameters suggest, from the old
-//!    visible face, a walk outwards runs away from the silhouette ([`WalkStart`](crate::as_printed::WalkStart)).
-//! 2. No cap on iterations: a fruitless walk ends when it returns to its first state. Crossing left or right by turns is
-//!    injective on the states (side entered through, turn), so a walk that does not end comes back to the first state in
-//!    which it entered through a side with a face behind it: at the very start, or after one step if it starts at a
-//!    border. There are six states a face, so no walk takes more than 6 F steps.
+//! 1. It starts into the side that the silhouette moved to ([`Start`]). Called as Hall's parameters suggest, from the
+//!    old visible face, a walk outwards runs away from the silhouette ([`WalkStart`](crate::as_printed::WalkStart)).
+//! 2. No cap on iterations: a fruitless walk ends when it returns to its first state. Crossing left or right by turns
+//!    is injective on the states (side entered through, turn), so a walk that does not end comes back to the first
+//!    state in which it entered through a side with a face behind it: at the very start, or after one step if it starts
+//!    at a border. There are six states a face, so no walk takes more than 6 F steps.
 //! 3. Seeking a visible face, a border is no silhouette: the walk turns to the other side, and gives up between two
 //!    borders. (It never enters through a border, so turning keeps the steps injective.)
 //! 4. It notices whether it crossed a silhouette edge of the last frame. Such a walk has *strayed* from the ground that

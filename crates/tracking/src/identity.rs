@@ -1,7 +1,7 @@
 //! Identity of loops over time: each keeps an id while it lives, and what happens to loops is told as events.
 //!
-//! This is no part of Hall's paper, though it rests on what tracking learns: which old loops became which new ones, and by
-//! how many shared half-edges. Nothing else is needed, so the same rules serve any method that relates two frames.
+//! This is no part of Hall's paper, though it rests on what tracking learns: which old loops became which new ones, and
+//! by how many shared half-edges. Nothing else is needed, so the same rules serve any method that relates two frames.
 //!
 //! An id passes to the child that shares the most half-edges; between equals the lowest old id and then the first child
 //! chooses. A loop has at most one heir and at most one ancestor. Hence:
@@ -147,8 +147,8 @@ impl LoopIdentities {
         self.events.clear();
     }
 
-    /// Names the loops of a new frame, `loops` in number. `relations` lie between the loops of the last frame and of this
-    /// one, in any order; of equal pairs the shared half-edges add up.
+    /// Names the loops of a new frame, `loops` in number. `relations` lie between the loops of the last frame and of
+    /// this one, in any order; of equal pairs the shared half-edges add up.
     ///
     /// O(loops + R log R) for R relations, no allocation once memory has grown.
     ///

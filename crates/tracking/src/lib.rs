@@ -6,9 +6,9 @@
 //!    `concave_edges`: concave edges in order of decreasing angle, and the border; `refuse` (Restrictions): meshes that
 //!    cannot be tracked, or are cut.
 //! 2. [`brute_force`]: the first frame.
-//! 3. `track` (Tracking the Silhouette): each edge of the old loops is tested; `find_silhouette_edge` walks from one that
-//!    is no silhouette any more to one that is; `complete_silhouette` walks the whole loop from there; `single_edge`
-//!    (Single edge testing) tests fewer edges.
+//! 3. `track` (Tracking the Silhouette): each edge of the old loops is tested; `find_silhouette_edge` walks from one
+//!    that is no silhouette any more to one that is; `complete_silhouette` walks the whole loop from there;
+//!    `single_edge` (Single edge testing) tests fewer edges.
 //! 4. `detect_new` (Detecting new silhouettes): the concave list down to the concavity level, then the border list.
 //! 5. [`identity`], not in the paper: each loop keeps an id, and births, deaths, splits and merges are told.
 //!
@@ -16,28 +16,29 @@
 //!
 //! # When to choose it
 //!
-//! Where the view changes little from frame to frame, loops are wanted in order, and missing some is a fair price. What is
-//! found is silhouette, always: facings are exact, and loops complete. What is missed:
+//! Where the view changes little from frame to frame, loops are wanted in order, and missing some is a fair price. What
+//! is found is silhouette, always: facings are exact, and loops complete. What is missed:
 //!
-//! - at level 0 with all edges tested, only what is neither reached from an old edge nor holds a concave edge or a border:
-//!   nothing in all that the tests try, but there is no proof for large steps;
-//! - at level N, also loops that are new and hold no edge bent by more than N. How many depends on the tessellation: finer
-//!   triangles have smaller angles;
+//! - at level 0 with all edges tested, only what is neither reached from an old edge nor holds a concave edge or a
+//!   border: nothing in all that the tests try, but there is no proof for large steps;
+//! - at level N, also loops that are new and hold no edge bent by more than N. How many depends on the tessellation:
+//!   finer triangles have smaller angles;
 //! - with single edges tested, also parts that split off.
 //!
 //! Frames that must not be tracked are found by brute force ([`BruteForceReason`]): the first, after a frame without
-//! silhouette, after a jump, and when the eye may have crossed the surface, since the rule that new loops come from concave
-//! edges holds only while it does not (`eye_crossing` says what is promised).
+//! silhouette, after a jump, and when the eye may have crossed the surface, since the rule that new loops come from
+//! concave edges holds only while it does not (`eye_crossing` says what is promised).
 //!
 //! # Departures from the paper
 //!
 //! 1. Facings are exact and evaluated at most once a frame.
 //! 2. Twin half-edges instead of a table of faces, which is ambiguous where two faces share several edges.
 //! 3. The corrections that [`as_printed`] lists.
-//! 4. A fruitless walk ends by itself, and when all walks of a frame together take more steps than one fruitless walk can
-//!    (6 F), brute force takes over.
+//! 4. A fruitless walk ends by itself, and when all walks of a frame together take more steps than one fruitless walk
+//!    can (6 F), brute force takes over.
 //! 5. Loops run counter-clockwise around front faces.
-//! 6. The concave edges of a level are searched in the order of memory, not of angle, and their faces are evaluated first.
+//! 6. The concave edges of a level are searched in the order of memory, not of angle, and their faces are evaluated
+//!    first.
 //! 7. Completing a loop runs along the trail of the last frame while all faces answer as they did then
 //!    (`complete_silhouette`): the same faces are evaluated, in less time.
 //!

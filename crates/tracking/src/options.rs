@@ -45,7 +45,8 @@ pub enum TestedEdges {
     Single,
 }
 
-/// What happens to a mesh with edges that Hall excludes: three or more faces, or two that disagree on which side is out.
+/// What happens to a mesh with edges that Hall excludes: three or more faces, or two that disagree on which side is
+/// out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MeshPolicy {
     /// It is refused; the error names edges and faces.
@@ -68,8 +69,8 @@ pub struct TrackingOptions {
     pub mesh_policy: MeshPolicy,
     /// The longest move of the eye, between two frames, that is tracked: over its distance from the middle of the mesh,
     /// or over the mesh's radius where the eye is nearer than that; for orthographic views, between unit directions. So
-    /// it is about the angle in radians by which the view turns. What exceeds it is a jump, after which the silhouette is
-    /// found by brute force. 0 or more; 0 tracks nothing but a resting eye. Default: 0.5.
+    /// it is about the angle in radians by which the view turns. What exceeds it is a jump, after which the silhouette
+    /// is found by brute force. 0 or more; 0 tracks nothing but a resting eye. Default: 0.5.
     pub jump: f64,
     /// Where the walk to a moved silhouette starts. Default: corrected.
     pub walk_start: WalkStart,

@@ -1,9 +1,9 @@
 //! Facing by a face's plane equation (Hall 2003, Definitions), in 32 bits and yet exact.
 //!
 //! A plane is a unit normal `n` and an offset `d`, relative to the middle `c` of the mesh, computed in 64 bits from the
-//! corners and then rounded; the test of a view is `v = n . (P - c) + d`, four products of 32-bit floats, and the sign of
-//! `v` is that of the true signed distance `s` wherever `|v|` exceeds one bound for the whole view. Elsewhere, which is
-//! one face in a hundred thousand, [`judge`] decides.
+//! corners and then rounded; the test of a view is `v = n . (P - c) + d`, four products of 32-bit floats, and the sign
+//! of `v` is that of the true signed distance `s` wherever `|v|` exceeds one bound for the whole view. Elsewhere, which
+//! is one face in a hundred thousand, [`judge`] decides.
 //!
 //! # The bound
 //!
@@ -12,10 +12,11 @@
 //! - The cross product in 64 bits is off by less than `2^-50 |a| |b|` for edges `a`, `b`. A face with
 //!   `|a x b| < 2^-18 |a| |b|` (a needle, or no area) gets the zero plane, which no bound certifies; in all others the
 //!   unit normal is off by less than `2^-30`.
-//! - Rounding `n`, `d` and `p` to 32 bits is off by `u` relatively each. Four products and three sums, in any order, are
-//!   off by at most `4u / (1 - 4u)` times the sum of the products' magnitudes.
-//! - So `|v - s| <= (6u + 2^-29) |p|_1 + (5u + 2^-29) R`, below `8u (|p|_1 + R)`; the rounding of 64-bit coordinates far
-//!   from their origin adds at most `2^-50 (|c|_1 + |P|_1)`, products that underflow less than the smallest normal float.
+//! - Rounding `n`, `d` and `p` to 32 bits is off by `u` relatively each. Four products and three sums, in any order,
+//!   are off by at most `4u / (1 - 4u)` times the sum of the products' magnitudes.
+//! - So `|v - s| <= (6u + 2^-29) |p|_1 + (5u + 2^-29) R`, below `8u (|p|_1 + R)`; the rounding of 64-bit coordinates
+//!   far from their origin adds at most `2^-50 (|c|_1 + |P|_1)`, products that underflow less than the smallest normal
+//!   float.
 //!
 //! Overflow makes the bound infinite and certifies nothing. For an orthographic view along `W` the offset plays no part
 //! and the bound is `8u |W|_1`.

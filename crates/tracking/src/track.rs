@@ -12,8 +12,8 @@ use std::ops::ControlFlow;
 pub(crate) struct Lead {
     /// A silhouette half-edge of now.
     pub half_edge: HalfEdgeId,
-    /// Number of old half-edges that this says are part of the loop, beyond what completing the loop counts; `None` where
-    /// the loop has nothing to do with the old one.
+    /// Number of old half-edges that this says are part of the loop, beyond what completing the loop counts; `None`
+    /// where the loop has nothing to do with the old one.
     pub shared: Option<u32>,
 }
 

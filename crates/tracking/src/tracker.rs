@@ -24,8 +24,8 @@ use std::sync::Arc;
 
 /// Follows the silhouette loops of a mesh from frame to frame. See the [crate](crate) for the method and what it costs.
 ///
-/// Memory beyond the artefacts: 13 bytes a face (a place a half-edge, the memory of facings), 8 bytes a selected concave
-/// edge and 20 for each face there, some 40 bytes a silhouette edge.
+/// Memory beyond the artefacts: 13 bytes a face (a place a half-edge, the memory of facings), 8 bytes a selected
+/// concave edge and 20 for each face there, some 40 bytes a silhouette edge.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     scene: Scene,
@@ -88,11 +88,11 @@ impl Tracker {
         Ok(tracker)
     }
 
-    /// The loops seen from `viewpoint`: every one closed, none twice, front faces on the left; in the order in which they
-    /// were found, and begun anywhere. [`ids`](Self::ids) names them.
+    /// The loops seen from `viewpoint`: every one closed, none twice, front faces on the left; in the order in which
+    /// they were found, and begun anywhere. [`ids`](Self::ids) names them.
     ///
-    /// O(old and new silhouette + faces walked over + selected concave edges + borders); O(F) in a frame that is found by
-    /// brute force. One thread. Allocates nothing once memory has grown.
+    /// O(old and new silhouette + faces walked over + selected concave edges + borders); O(F) in a frame that is found
+    /// by brute force. One thread. Allocates nothing once memory has grown.
     ///
     /// What is missed, and when, stands in the [crate](crate)'s documentation; what is found is always silhouette.
     pub fn update(&mut self, viewpoint: &Viewpoint) -> &SilhouetteLoops {
@@ -217,7 +217,8 @@ impl Tracker {
         self.exact.forget();
     }
 
-    /// Selects the concave edges that the next frames search, until the next audit where there is a budget. O(C + F / 64) for C concave edges; allocates nothing.
+    /// Selects the concave edges that the next frames search, until the next audit where there is a budget. O(C + F /
+    /// 64) for C concave edges; allocates nothing.
     pub fn set_concavity(&mut self, concavity: Concavity) {
         self.options.concavity = concavity;
         self.select();
@@ -229,10 +230,10 @@ impl Tracker {
 
     /// Makes `positions` (one a vertex, in object space) those of the next frames; topology and loops are kept.
     ///
-    /// O(V + F + E) for planes and angles and O(C log C) to order C concave edges, on one thread; allocates nothing from
-    /// the second call on, unless a shape has more concave edges than any before. The mesh should move little between
-    /// frames, as the eye should: no jump is noticed. That vertices pass the eye is: the eye must stay outside the box
-    /// around the old and the new positions, or the frame is found by brute force.
+    /// O(V + F + E) for planes and angles and O(C log C) to order C concave edges, on one thread; allocates nothing
+    /// from the second call on, unless a shape has more concave edges than any before. The mesh should move little
+    /// between frames, as the eye should: no jump is noticed. That vertices pass the eye is: the eye must stay outside
+    /// the box around the old and the new positions, or the frame is found by brute force.
     ///
     /// # Errors
     /// [`PositionsError`]; the positions of before then stay in force.

@@ -125,7 +125,8 @@ fn disjoint_bodies_keep_their_ids() {
     }
 }
 
-/// A bump that comes over the horizon of a ball, and goes: one birth or split, one death or merge, the outline's id stays.
+/// A bump that comes over the horizon of a ball, and goes: one birth or split, one death or merge, the outline's id
+/// stays.
 #[test]
 fn the_outline_keeps_its_id_while_small_loops_come_and_go() {
     let scene = Scene::builtin("blob:8000,0.2");

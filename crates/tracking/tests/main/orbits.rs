@@ -20,8 +20,8 @@ fn assert_well_formed(mesh: &TriangleMesh, loops: &SilhouetteLoops, context: &st
     }
 }
 
-/// Tracks an orbit at level 0 with all edges tested; every frame must equal the oracle's. Yields how many frames after the
-/// first were found by brute force though there was something to track.
+/// Tracks an orbit at level 0 with all edges tested; every frame must equal the oracle's. Yields how many frames after
+/// the first were found by brute force though there was something to track.
 fn equals_brute_force(scene: &Scene, views: impl Iterator<Item = Viewpoint>) -> usize {
     let mut tracker = scene.tracker(TrackingOptions::default());
     let topology = scene.table.topology();

@@ -4,8 +4,8 @@ use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{FaceId, TriangleMesh, Viewpoint};
 use silhouette_tracking::{Concavity, TestedEdges, TrackingOptions};
 
-/// A view that is hard to get right: far, near, inside, on a vertex, an edge or a face, in a plane, or no view at all; or,
-/// half the time, a small step from the last one.
+/// A view that is hard to get right: far, near, inside, on a vertex, an edge or a face, in a plane, or no view at all;
+/// or, half the time, a small step from the last one.
 fn next_view(scene: &Scene, random: &mut Random, last: &Viewpoint) -> Viewpoint {
     let bounds = scene.mesh.bounds().unwrap();
     let [a, b, c] = scene.mesh.corners(FaceId::from_usize(random.below(scene.mesh.face_count()))).map(Vec3::as_dvec3);
