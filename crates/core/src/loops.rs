@@ -137,8 +137,13 @@ pub fn start_vertex(mesh: &TriangleMesh, half_edge: HalfEdgeId) -> VertexId {
 }
 
 /// Forms loops; keeps its scratch memory from call to call.
+///
+/// Inside a fan of front faces, an edge that is no silhouette edge has front faces on all sides. So a walk needs to know
+/// the edges, a bit each, and asks for facings only where a loop begins.
 #[derive(Debug, Clone, Default)]
 pub struct LoopWalker {
+    /// A bit an edge; all zero between calls.
+    silhouette: Vec<u64>,
     /// A bit a half-edge; all zero between calls.
     visited: Vec<u64>,
 }
@@ -150,7 +155,8 @@ impl LoopWalker {
     /// allocation once memory has grown.
     ///
     /// # Panics
-    /// If `edges` and `facings` do not belong to `topology`, or not to each other.
+    /// If `edges` and `facings` do not belong to `topology`. If they do not belong to each other, there may be a panic,
+    /// and the loops are of no use.
     pub fn walk(
         &mut self,
         topology: &Topology,
@@ -161,11 +167,11 @@ impl LoopWalker {
         self.walk_where(topology, |face| facings.is_front(face), edges, out);
     }
 
-    /// [`walk`](Self::walk) for facings that are looked up, or found, one by one: only faces in the fans around
-    /// silhouette vertices are asked for, each several times.
+    /// [`walk`](Self::walk) for facings that are looked up, or found, one by one: those of one or two faces are asked for
+    /// where a loop begins, and those of all faces at non-manifold silhouette edges.
     ///
     /// # Panics
-    /// If `edges` do not belong to `topology`, or are not all the silhouette edges of these facings.
+    /// As [`walk`](Self::walk).
     pub fn walk_where(
         &mut self,
         topology: &Topology,
@@ -173,37 +179,70 @@ impl LoopWalker {
         edges: &SilhouetteEdges,
         out: &mut SilhouetteLoops,
     ) {
+        self.silhouette.resize(topology.edge_count().div_ceil(64), 0);
         self.visited.resize(topology.half_edge_count().div_ceil(64), 0);
+        for edge in edges.iter() {
+            set(&mut self.silhouette, edge.index());
+        }
         out.clear();
-        for &start in edges.iter().flat_map(|edge| topology.half_edges(edge)) {
-            if !is_front(start.face()) || self.is_visited(start) {
+        for edge in edges.iter() {
+            let sides = topology.half_edges(edge);
+            // Of two sides one is front, so that one visited leaves nothing to begin at.
+            if sides.len() == 2 && sides.iter().any(|side| is_set(&self.visited, side.index())) {
                 continue;
             }
-            let mut half_edge = start;
-            loop {
-                self.visited[half_edge.index() / 64] |= 1 << (half_edge.index() % 64);
-                out.half_edges.push(half_edge);
-                let is_silhouette = |_: &mut _, edge| edges.contains(edge);
-                half_edge = next_silhouette_half_edge(topology, &mut is_front, is_silhouette, half_edge);
-                if half_edge == start {
-                    break;
+            for &side in sides {
+                if !is_set(&self.visited, side.index()) && is_front(side.face()) {
+                    self.walk_from(topology, side, out);
                 }
             }
-            out.ends.push(out.half_edges.len());
+        }
+        for edge in edges.iter() {
+            self.silhouette[edge.index() / 64] = 0;
         }
         for half_edge in &out.half_edges {
             self.visited[half_edge.index() / 64] = 0;
         }
     }
 
-    fn is_visited(&self, half_edge: HalfEdgeId) -> bool {
-        self.visited[half_edge.index() / 64] >> (half_edge.index() % 64) & 1 == 1
+    fn walk_from(&mut self, topology: &Topology, start: HalfEdgeId, out: &mut SilhouetteLoops) {
+        let mut half_edge = start;
+        // A half-edge that comes again is the start, unless edges and facings do not belong to each other.
+        while !is_set(&self.visited, half_edge.index()) {
+            set(&mut self.visited, half_edge.index());
+            out.half_edges.push(half_edge);
+            half_edge = self.next(topology, half_edge);
+        }
+        out.ends.push(out.half_edges.len());
+    }
+
+    /// Pivots about the end vertex inside the fan of front faces.
+    fn next(&self, topology: &Topology, half_edge: HalfEdgeId) -> HalfEdgeId {
+        let mut candidate = half_edge.next_in_face();
+        while !is_set(&self.silhouette, topology.edge_of(candidate).index()) {
+            let across = match topology.twin(candidate) {
+                Twin::HalfEdge(twin) => twin,
+                Twin::NonManifold => next_around_edge(topology, candidate),
+                Twin::Border => panic!("a boundary edge of a front face is a silhouette edge"),
+            };
+            candidate = across.next_in_face();
+            assert!(candidate != half_edge.next_in_face(), "around a silhouette vertex there are silhouette edges");
+        }
+        candidate
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.visited.as_slice())
+        size_of_val(self.silhouette.as_slice()) + size_of_val(self.visited.as_slice())
     }
+}
+
+fn set(bits: &mut [u64], index: usize) {
+    bits[index / 64] |= 1 << (index % 64);
+}
+
+fn is_set(bits: &[u64], index: usize) -> bool {
+    bits[index / 64] >> (index % 64) & 1 == 1
 }
 
 /// The silhouette half-edge that follows another in its loop: pivots about the end vertex inside the fan of front faces.
@@ -254,12 +293,18 @@ mod tests {
             let facings = FaceFacings::from_fn(mesh.face_count(), |_| true);
             let edges = SilhouetteEdges::of(&topology, &facings);
             let (looks, mut loops) = (Cell::new(0), SilhouetteLoops::default());
-            let is_front = |_| {
+            let mut is_front = |_| {
                 looks.set(looks.get() + 1);
                 true
             };
-            LoopWalker::default().walk_where(&topology, is_front, &edges, &mut loops);
-            assert_eq!(loops.half_edges().len(), 2 * pages as usize);
+            LoopWalker::default().walk_where(&topology, &mut is_front, &edges, &mut loops);
+            assert_eq!((loops.half_edges().len(), looks.take()), (2 * pages as usize, loops.len()), "a look a loop");
+            for (index, &half_edge) in loops.half_edges().iter().enumerate() {
+                let is_silhouette = |_: &mut _, edge| edges.contains(edge);
+                let next = next_silhouette_half_edge(&topology, &mut is_front, is_silhouette, half_edge);
+                assert_eq!(next, loops.half_edges()[(index + 1) % loops.half_edges().len()], "both walks agree");
+                looks.set(looks.get() + 1);
+            }
             looks.get()
         };
         assert_eq!(looks(2000), 10 * looks(200));

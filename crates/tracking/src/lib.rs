@@ -12,12 +12,17 @@
 //! 4. `detect_new` (Detecting new silhouettes): the concave list down to the concavity level, then the border list.
 //! 5. [`identity`], not in the paper: each loop keeps an id, and births, deaths, splits and merges are told.
 //!
-//! [`as_printed`] shows the slips of the printed text.
+//! [`as_printed`] shows the slips of the printed text. Two modes go beyond the paper ([`Accuracy`]):
+//!
+//! - `exact`: no loop is ever missed, and a frame costs what changes;
+//! - `budget`: the concavity level follows from the share of the silhouette that may be missed.
 //!
 //! # When to choose it
 //!
-//! Where the view changes little from frame to frame, loops are wanted in order, and missing some is a fair price. What
-//! is found is silhouette, always: facings are exact, and loops complete. What is missed:
+//! Where the view changes little from frame to frame, and loops are wanted in order. What is found is silhouette, always:
+//! facings are exact, and loops complete. The exact mode misses nothing and takes about as long as tracking at a high
+//! level, so it is the first to try; by level, tracking needs no more memory than its lists and leaves most faces alone at
+//! any step. What is missed then:
 //!
 //! - at level 0 with all edges tested, only what is neither reached from an old edge nor holds a concave edge or a
 //!   border: nothing in all that the tests try, but there is no proof for large steps;
@@ -40,12 +45,12 @@
 //! 6. The concave edges of a level are searched in the order of memory, not of angle, and their faces are evaluated
 //!    first.
 //! 7. Completing a loop runs along the trail of the last frame while all faces answer as they did then
-//!    (`complete_silhouette`): the same faces are evaluated, in less time.
+//!    (`complete_silhouette`): the same faces are evaluated, in less time. Brute force does so too.
 //!
 //! # Cost
 //!
 //! A tracked frame: O(S + faces walked over + selected concave edges + borders) for S silhouette edges, on one thread,
-//! without allocation. Preparation: O(F + E + C log C) for C concave edges. Memory: 45 bytes a face,
+//! without allocation; an audited frame O(F), and the exact mode as `exact` says. Preparation: O(F + E + C log C) for C concave edges. Memory: 45 bytes a face,
 //! at most 60 a concave edge, and some 40 a silhouette edge.
 
 pub mod as_printed;

@@ -1,14 +1,21 @@
 use crate::scenes::{Scene, options};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, SilhouetteEdges, SilhouetteLoops};
-use silhouette_tracking::{Concavity, TestedEdges, Tracking};
+use silhouette_tracking::{Accuracy, Concavity, ErrorBudget, TestedEdges, Tracking, TrackingOptions};
 
 #[test]
 fn a_steady_frame_allocates_nothing() {
     for name in ["blob:5000", "torus:40,24", "grid:20,14"] {
         let scene = Scene::builtin(name);
         let views: Vec<_> = scene.orbit(1.0, 360).collect();
-        for tested in [TestedEdges::All, TestedEdges::Single] {
-            let mut method = Tracking::from(scene.tracker(options(0.05, tested)));
+        let budget = ErrorBudget { missed_share: 0.01, audit_share: 0.2 };
+        let by_accuracy = |accuracy| TrackingOptions { accuracy, ..TrackingOptions::default() };
+        for options in [
+            options(0.05, TestedEdges::All),
+            options(0.05, TestedEdges::Single),
+            by_accuracy(Accuracy::Exact),
+            by_accuracy(Accuracy::Budget(budget)),
+        ] {
+            let mut method = Tracking::from(scene.tracker(options));
             let (mut edges, mut loops) = (SilhouetteEdges::default(), SilhouetteLoops::default());
             let mut brute_force = scene.brute_force();
             let mut fly = || {
@@ -25,7 +32,7 @@ fn a_steady_frame_allocates_nothing() {
             };
             let counts = [0, 1, 2].map(|_| allocation_counter::measure(&mut fly).count_total);
             assert!(counts[0] > 0, "the counter counts");
-            assert_eq!(counts[2], 0, "{name}, {tested:?}: what grows grew in two turns, {counts:?}");
+            assert_eq!(counts[2], 0, "{name}, {options:?}: what grows grew in two turns, {counts:?}");
         }
     }
 }

@@ -35,6 +35,8 @@ fn paths(scene: &Scene, frames: u32) -> Vec<(&'static str, Vec<Viewpoint>)> {
     ]
 }
 
+/// Every frame of every path must have the oracle's loops. Meshes with defects are cut, so that what they are compared with
+/// is cut too.
 fn equals_brute_force(scene: &Scene, frames: u32) {
     let mut oracle = Oracle::default();
     let topology = scene.table.topology();
@@ -51,17 +53,22 @@ fn equals_brute_force(scene: &Scene, frames: u32) {
     }
 }
 
+/// Frames a path: few unless `SILHOUETTES_EXACT_FRAMES` says how many.
+fn frames(few: u32) -> u32 {
+    std::env::var("SILHOUETTES_EXACT_FRAMES").map_or(few, |frames| frames.parse().expect("a number of frames"))
+}
+
 #[test]
 fn no_loop_is_missed_on_built_in_shapes() {
     for scene in zoo() {
-        equals_brute_force(&scene, 400);
+        equals_brute_force(&scene, frames(400));
     }
 }
 
 #[test]
 fn no_loop_is_missed_on_real_meshes() {
     for scene in real_meshes("no_loop_is_missed_on_real_meshes") {
-        equals_brute_force(&scene, if scene.mesh.face_count() < 15_000 { 400 } else { 40 });
+        equals_brute_force(&scene, frames(if scene.mesh.face_count() < 15_000 { 200 } else { 40 }));
     }
 }
 

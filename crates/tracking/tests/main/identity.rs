@@ -2,7 +2,7 @@ use crate::scenes::{Scene, moved, options, together};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::shapes::by_name;
 use silhouette_core::{TriangleMesh, Viewpoint};
-use silhouette_tracking::{LoopEvent, LoopId, TestedEdges, Tracker, TrackingOptions};
+use silhouette_tracking::{Accuracy, LoopEvent, LoopId, TestedEdges, Tracker, TrackingOptions};
 
 fn eye(eye: DVec3) -> Viewpoint {
     Viewpoint::Perspective { eye: eye.as_vec3() }
@@ -26,7 +26,12 @@ fn tally(tracker: &Tracker) -> [usize; 4] {
 #[test]
 fn a_torus_that_turns_merges_its_circles_and_splits_them_again() {
     let scene = Scene::builtin("torus:96,64");
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    for accuracy in [Accuracy::Level, Accuracy::Exact] {
+        turn_a_torus(scene.tracker(TrackingOptions { accuracy, ..TrackingOptions::default() }));
+    }
+}
+
+fn turn_a_torus(mut tracker: Tracker) {
     let views = |range: std::ops::Range<u16>| {
         range.map(|step| f64::from(step).to_radians() * 0.25).map(|angle| {
             let (sin, cos) = angle.sin_cos();
@@ -84,7 +89,12 @@ fn dumbbell() -> TriangleMesh {
 fn a_two_lobed_body_splits_and_merges() {
     let scene = Scene::new("dumb-bell", dumbbell());
     assert!(scene.table.defects().is_empty());
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    for accuracy in [Accuracy::Level, Accuracy::Exact] {
+        split_and_merge(scene.tracker(TrackingOptions { accuracy, ..TrackingOptions::default() }));
+    }
+}
+
+fn split_and_merge(mut tracker: Tracker) {
     let mut totals = [0; 4];
     let steps = (0..=360_u16).chain((0..360).rev());
     let mut loops_seen = Vec::new();
@@ -130,16 +140,18 @@ fn disjoint_bodies_keep_their_ids() {
 #[test]
 fn the_outline_keeps_its_id_while_small_loops_come_and_go() {
     let scene = Scene::builtin("blob:8000,0.2");
-    let mut tracker = scene.tracker(TrackingOptions::default());
-    let (mut outline, mut changes, mut events) = (None, 0, 0);
-    for view in scene.orbit(0.5, 720) {
-        tracker.update(&view);
-        let loops = tracker.loops().iter().zip(tracker.ids());
-        let longest = loops.max_by_key(|(half_edges, _)| half_edges.len()).map(|(_, &id)| id);
-        changes += usize::from(outline != longest);
-        events += tracker.events().len();
-        outline = longest;
+    for accuracy in [Accuracy::Level, Accuracy::Exact] {
+        let mut tracker = scene.tracker(TrackingOptions { accuracy, ..TrackingOptions::default() });
+        let (mut outline, mut changes, mut events) = (None, 0, 0);
+        for view in scene.orbit(0.5, 720) {
+            tracker.update(&view);
+            let loops = tracker.loops().iter().zip(tracker.ids());
+            let longest = loops.max_by_key(|(half_edges, _)| half_edges.len()).map(|(_, &id)| id);
+            changes += usize::from(outline != longest);
+            events += tracker.events().len();
+            outline = longest;
+        }
+        assert!(events > 20, "{accuracy:?}: {events} events: loops do come and go");
+        assert!(changes <= 3, "{accuracy:?}: {changes} changes of the outline's id");
     }
-    assert!(events > 20, "{events} events: loops do come and go");
-    assert!(changes <= 3, "{changes} changes of the outline's id");
 }

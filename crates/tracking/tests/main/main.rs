@@ -3,6 +3,7 @@
 mod allocations;
 mod as_printed;
 mod budget;
+mod claims;
 mod counted;
 mod defects;
 mod exact;
