@@ -29,7 +29,7 @@ pub struct ConcaveEdge {
 }
 
 /// Concave edges and borders of a mesh: where new silhouettes are searched. 16 bytes a concave edge, 4 a border edge.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct TrackedEdges {
     concave: ConcaveEdges,
     border: Vec<HalfEdgeId>,
@@ -51,6 +51,11 @@ impl TrackedEdges {
         let half_edges = (0..3 * table.face_count()).map(HalfEdgeId::from_usize);
         let border = half_edges.filter(|&half_edge| table.twin(half_edge).is_none()).collect();
         Self { concave, border }
+    }
+
+    /// No edges: for trackers in the exact mode, which search none.
+    pub fn none() -> Self {
+        Self::default()
     }
 
     /// Concave edges in order of decreasing angle, equal angles in the order of half-edges.

@@ -110,11 +110,11 @@ fn options(values: &OptionValues) -> Result<TrackingOptions, PrepareError> {
 fn prepare(
     asker: &'static str,
     mesh: &Arc<PreparedMesh>,
+    edges: Arc<TrackedEdges>,
     options: TrackingOptions,
     progress: &dyn Progress,
 ) -> Result<Tracking, PrepareError> {
     let table = mesh.artefact::<ConnectivityTable>(asker, progress)?;
-    let edges = mesh.artefact::<TrackedEdges>(asker, progress)?;
     let tracker = Tracker::new(Arc::clone(mesh.mesh()), table, edges, options);
     Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?.into())
 }
@@ -131,7 +131,9 @@ impl Method for Tracking {
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, values: &OptionValues, progress: &dyn Progress) -> Result<Self, PrepareError> {
-        prepare(Self::INFO.name, mesh, options(values)?, progress)
+        let options = options(values)?;
+        let edges = mesh.artefact::<TrackedEdges>(Self::INFO.name, progress)?;
+        prepare(Self::INFO.name, mesh, edges, options, progress)
     }
 
     fn bytes(&self) -> usize {
@@ -180,6 +182,7 @@ impl Method for ExactTracking {
         summary: "Keeps the last view's loops but for those that a turned face touches; knows by the eye's path which \
                   faces may have turned; exact.",
         exact: true,
+        needs: &[ConnectivityTable::NAME, Topology::NAME],
         options: &[],
         ..Tracking::INFO
     };
@@ -190,7 +193,7 @@ impl Method for ExactTracking {
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         let options = TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() };
-        prepare(Self::INFO.name, mesh, options, progress).map(Self)
+        prepare(Self::INFO.name, mesh, Arc::new(TrackedEdges::none()), options, progress).map(Self)
     }
 
     fn bytes(&self) -> usize {

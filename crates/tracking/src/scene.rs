@@ -57,8 +57,8 @@ impl Scene {
         self.mesh.face_count()
     }
 
-    /// Makes `positions` those of the frames to come.
-    pub fn update_positions(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
+    /// Makes `positions` those of the frames to come, and finds their concave edges if any are to be searched.
+    pub fn update_positions(&mut self, positions: &[Vec3], searches: bool) -> Result<(), PositionsError> {
         let vertices = self.mesh.vertex_count();
         if positions.len() != vertices {
             return Err(PositionsError::Count { given: positions.len(), vertices });
@@ -68,13 +68,15 @@ impl Scene {
         }
         let moved = self.moved.get_or_insert_with(|| {
             let mut concave = ConcaveEdges::default();
-            concave.reserve(self.table.topology().edge_count());
+            concave.reserve(if searches { self.table.topology().edge_count() } else { 0 });
             Box::new(Moved { positions: Vec::new(), table: (*self.table).clone(), concave })
         });
         moved.positions.clear();
         moved.positions.extend_from_slice(positions);
         moved.table.place(positions, self.mesh.triangles());
-        moved.concave.find(positions, self.mesh.triangles(), &moved.table);
+        if searches {
+            moved.concave.find(positions, self.mesh.triangles(), &moved.table);
+        }
         Ok(())
     }
 

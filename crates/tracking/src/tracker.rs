@@ -48,7 +48,7 @@ pub struct Tracker {
 impl Tracker {
     /// A tracker without a past: its first frame is found by brute force. O(F + C) for C concave edges.
     ///
-    /// `table` and `edges` are those of `mesh`.
+    /// `table` and `edges` are those of `mesh`; the exact mode searches no edges, so [`TrackedEdges::none`] will do.
     ///
     /// # Errors
     /// [`NotTrackable`] if the mesh has defects and [`TrackingOptions::mesh_policy`] refuses them.
@@ -233,13 +233,14 @@ impl Tracker {
     /// O(V + F + E) for planes and angles and O(C log C) to order C concave edges, on one thread; allocates nothing
     /// from the second call on, unless a shape has more concave edges than any before. The mesh should move little
     /// between frames, as the eye should: no jump is noticed. That vertices pass the eye is: the eye must stay outside
-    /// the box around the old and the new positions, or the frame is found by brute force.
+    /// the box around the old and the new positions, or the frame is found by brute force. In the exact mode O(V + F), no
+    /// angles are needed, any move is allowed, and the next frame evaluates every face.
     ///
     /// # Errors
     /// [`PositionsError`]; the positions of before then stay in force.
     pub fn move_mesh(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
         let bounds = self.scene.surface().table.bounds();
-        self.scene.update_positions(positions)?;
+        self.scene.update_positions(positions, self.options.accuracy != Accuracy::Exact)?;
         self.last_bounds = [self.last_bounds[0].min(bounds[0]), self.last_bounds[1].max(bounds[1])];
         self.clear_ball.forget();
         self.exact.forget_facings();

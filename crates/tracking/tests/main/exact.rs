@@ -1,7 +1,9 @@
 use crate::scenes::{Oracle, Random, Scene, ordered, real_meshes, zoo};
-use silhouette_core::Viewpoint;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_tracking::{Accuracy, BruteForceReason, TrackingOptions};
+use silhouette_core::method::OptionValues;
+use silhouette_core::{ExtractsEdges, Method, NoProgress, PreparedMesh, SilhouetteEdges, Viewpoint};
+use silhouette_tracking::{Accuracy, BruteForceReason, ExactTracking, TrackingOptions};
+use std::sync::Arc;
 
 fn exact() -> TrackingOptions {
     TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() }
@@ -131,4 +133,20 @@ fn a_moving_mesh_is_followed() {
         let expected = oracle.look(&mesh, topology, &view);
         assert!(ordered(topology, tracker.update(&view)) == *expected, "frame {frame}");
     }
+}
+
+/// The exact mode finds no concave edges, and needs none.
+#[test]
+fn the_method_prepares_no_more_than_it_says() {
+    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:1000").unwrap()));
+    let options = OptionValues::defaults(ExactTracking::INFO.options);
+    let mut method = ExactTracking::prepare(&mesh, &options, &NoProgress).unwrap();
+    let mut edges = SilhouetteEdges::default();
+    method.extract_edges(&Viewpoint::Perspective { eye: Vec3::new(3.0, 1.0, 0.0) }, &mut edges);
+    assert!(!edges.is_empty());
+    let mut built: Vec<_> = mesh.report().iter().map(|artefact| artefact.name).collect();
+    let mut needs = ExactTracking::INFO.needs.to_vec();
+    built.sort_unstable();
+    needs.sort_unstable();
+    assert_eq!(built, needs);
 }
