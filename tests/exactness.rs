@@ -5,7 +5,7 @@ use crate::zoo::{self, Random};
 use glam::Vec3;
 use num_bigint::{BigInt, Sign};
 use silhouette_compare::registry::{self, EdgeMethod, Prepared};
-use silhouette_core::method::OptionValues;
+use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::shapes::by_name;
 use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
 use std::sync::Arc;
@@ -53,11 +53,14 @@ impl Case {
             let [a, b, c] = triangle.map(|vertex| point(mesh.positions()[vertex as usize]));
             (cross(&sub(&b, &a), &sub(&c, &a)), a)
         });
-        let methods = registry::all().iter().filter(|entry| entry.info.exact).map(|entry| {
+        let methods = registry::all().iter().filter(|entry| entry.info.exact).filter_map(|entry| {
             let options = OptionValues::defaults(entry.info.options);
-            match entry.prepare(&prepared, &options, &NoProgress).unwrap() {
-                Prepared::Edges(method) => (entry.info.name, method),
-                Prepared::Lines(_) => panic!("{} is exact, so it yields edges", entry.info.name),
+            match entry.prepare(&prepared, &options, &NoProgress) {
+                Ok(Prepared::Edges(method)) => Some((entry.info.name, method)),
+                Ok(Prepared::Lines(_)) => panic!("{} is exact, so it yields edges", entry.info.name),
+                // Not defined for this mesh.
+                Err(PrepareError::Mesh(_)) => None,
+                Err(error) => panic!("{}: {error}", entry.info.name),
             }
         });
         let (planes, methods) = (planes.collect(), methods.collect());

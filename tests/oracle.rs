@@ -4,7 +4,7 @@ use crate::zoo;
 use glam::Vec3;
 use proptest::prelude::*;
 use silhouette_compare::registry::{self, Prepared};
-use silhouette_core::method::OptionValues;
+use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, VertexId, Viewpoint};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -42,7 +42,12 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
     let integers: Vec<Integers> = points.iter().map(|p| p.map(i128::from)).collect();
     for entry in registry::all() {
         let options = OptionValues::defaults(entry.info.options);
-        let Prepared::Edges(mut method) = entry.prepare(&prepared, &options, &NoProgress).unwrap() else { continue };
+        let mut method = match entry.prepare(&prepared, &options, &NoProgress) {
+            Ok(Prepared::Edges(method)) => method,
+            // It draws lines, or is not defined for this mesh.
+            Ok(Prepared::Lines(_)) | Err(PrepareError::Mesh(_)) => continue,
+            Err(error) => panic!("{}: {error}", entry.info.name),
+        };
         for is_point in [true, false] {
             let view = if is_point {
                 Viewpoint::Perspective { eye: float(viewpoint) }

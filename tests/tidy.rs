@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Crates that hold one published method each, or a family of extractors.
-const METHOD_CRATES: [&str; 2] = ["silhouette-extraction", "silhouette-image-precision"];
+const METHOD_CRATES: [&str; 3] = ["silhouette-extraction", "silhouette-image-precision", "silhouette-tracking"];
 /// Crates that may always depend on wgpu. Method crates may behind their `gpu` feature.
 const GPU_CRATES: [&str; 2] = ["silhouette-gpu", "silhouette-render"];
 /// Crates that must build without wgpu and without a C++ compiler once default features are off.
-const LEAN_CRATES: [&str; 3] = ["silhouette-core", "silhouette-extraction", "silhouette-image-precision"];
+const LEAN_CRATES: [&str; 4] =
+    ["silhouette-core", "silhouette-extraction", "silhouette-image-precision", "silhouette-tracking"];
 
 const MAX_RUST_LINES: usize = 600;
 const MAX_WGSL_LINES: usize = 150;

@@ -91,8 +91,12 @@ fn run(arguments: &Arguments) -> Result<(), BenchError> {
         }
         if views > 0 {
             let found = measure_mesh(&name, mesh, views, &all_threads)?;
-            table::write_mesh(&found, &rows, &mut out).map_err(BenchError::Table)?;
-            measured.extend(found);
+            for cell in &found.left_out {
+                // Where stderr is closed there is nobody to tell.
+                let _ = writeln!(io::stderr(), "extractors: note: {cell}");
+            }
+            table::write_mesh(&found.rows, &rows, &mut out).map_err(BenchError::Table)?;
+            measured.extend(found.rows);
         }
     }
     if let Some(path) = &arguments.output {

@@ -3,6 +3,7 @@
 use crate::cell::{Cell, compare_with_baseline, milliseconds, with_times};
 use crate::stream_read::StreamRead;
 use crate::threads::Threads;
+use silhouette_compare::LeftOut;
 use silhouette_compare::camera_path::Orbit;
 use silhouette_compare::machine::describe_machine;
 use silhouette_compare::registry;
@@ -32,6 +33,13 @@ pub enum MeasureError {
     Prepare { mesh: String, source: PrepareError },
 }
 
+/// What was measured on a mesh.
+pub struct Measured {
+    pub rows: Vec<ExtractionRow>,
+    /// Methods that are not defined for it.
+    pub left_out: Vec<LeftOut>,
+}
+
 /// Measures every method of the registry that extracts edges, and a plain read, on a mesh in `views` views, 1 or more,
 /// with each number of threads. Rows of one number of threads follow each other.
 ///
@@ -42,15 +50,24 @@ pub fn measure_mesh(
     triangles: TriangleMesh,
     views: u32,
     all_threads: &[Threads],
-) -> Result<Vec<ExtractionRow>, MeasureError> {
+) -> Result<Measured, MeasureError> {
     let Some(bounds) = triangles.bounds() else { return Err(MeasureError::Empty { mesh: name.to_owned() }) };
     let failed = |source| MeasureError::Prepare { mesh: name.to_owned(), source };
     let triangles = Arc::new(triangles);
 
-    let mut cells = Vec::new();
+    let (mut cells, mut left_out) = (Vec::new(), Vec::new());
     let (mut edges, mut plane_bytes) = (0, 0);
     for entry in registry::all() {
-        let Some(cell) = Cell::prepare(entry, &triangles, all_threads).map_err(failed)? else { continue };
+        let cell = match Cell::prepare(entry, &triangles, all_threads) {
+            Ok(Some(cell)) => cell,
+            Ok(None) => continue,
+            Err(PrepareError::Mesh(reason)) => {
+                let (mesh, method) = (name.to_owned(), entry.info.name);
+                left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
+                continue;
+            }
+            Err(other) => return Err(failed(other)),
+        };
         let artefact = |error| failed(PrepareError::Cancelled(error));
         edges = cell.mesh.artefact::<Topology>("bench", &NoProgress).map_err(artefact)?.edge_count() as u64;
         if plane_bytes == 0 && entry.info.needs.contains(&"face-patches") {
@@ -85,7 +102,7 @@ pub fn measure_mesh(
         let read = with_times(read, stream_ms);
         cells.iter().map(|cell| cell.row(run, &blank)).chain([read]).collect::<Vec<_>>()
     });
-    Ok(rows.collect())
+    Ok(Measured { rows: rows.collect(), left_out })
 }
 
 /// Times all methods and the plain read, view by view; yields the milliseconds of the read for each number of threads.

@@ -1,10 +1,9 @@
 //! Time over faces, both logarithmic, as SVG.
 
+use silhouette_compare::plot::{FAINT_GRID, GRID, INK, LogAxis, line, paper, text};
 use silhouette_compare::report::COLORS;
 use silhouette_compare::scaling::{ExtractionRow, Series, series};
-use std::ops::Range;
-use svg::Document;
-use svg::node::element::{Circle, Group, Line, Rectangle, Text};
+use svg::node::element::{Circle, Group};
 
 /// Size of the picture, in pixels.
 const SIZE: [f64; 2] = [960.0, 560.0];
@@ -15,23 +14,12 @@ const RIGHT: f64 = 600.0;
 const TOP: f64 = 24.0;
 const BOTTOM: f64 = 504.0;
 
-const INK: &str = "#1c2127";
-const SOFT: &str = "#5b6570";
-
 /// The plot of all rows: a dot a row, a line a law, a legend with exponents. Series in the order of their rows.
 pub fn times_over_faces(rows: &[ExtractionRow]) -> String {
     let all = series(rows);
-    let [x, y] =
-        [Axis::new(rows, |row| row.faces as f64, LEFT..RIGHT), Axis::new(rows, |row| row.median_ms, BOTTOM..TOP)];
-    let mut document = Document::new()
-        .set("xmlns", "http://www.w3.org/2000/svg")
-        .set("viewBox", (0, 0, SIZE[0], SIZE[1]))
-        .set("width", SIZE[0])
-        .set("height", SIZE[1])
-        .set("font-family", "system-ui, sans-serif")
-        .set("font-size", 13)
-        .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", "#ffffff"))
-        .add(grid(&x, &y));
+    let x = LogAxis::around(rows.iter().map(|row| row.faces as f64), LEFT..RIGHT);
+    let y = LogAxis::around(rows.iter().map(|row| row.median_ms), BOTTOM..TOP);
+    let mut document = paper(SIZE).add(grid(&x, &y));
     for (index, series) in all.iter().enumerate() {
         document = document.add(drawn(series, COLORS[index % COLORS.len()], &x, &y));
     }
@@ -39,64 +27,9 @@ pub fn times_over_faces(rows: &[ExtractionRow]) -> String {
     format!("{document}\n")
 }
 
-/// A logarithmic axis.
-struct Axis {
-    decades: Range<i32>,
-    pixels: Range<f64>,
-}
-
-impl Axis {
-    /// Whole decades around the values of all rows.
-    fn new(rows: &[ExtractionRow], value: fn(&ExtractionRow) -> f64, pixels: Range<f64>) -> Self {
-        let logs = || rows.iter().map(|row| value(row).log10());
-        let low = logs().fold(f64::INFINITY, f64::min);
-        let high = logs().fold(f64::NEG_INFINITY, f64::max);
-        let decades =
-            if low <= high { low.floor() as i32..(high.ceil() as i32).max(low.floor() as i32 + 1) } else { 0..1 };
-        Self { decades, pixels }
-    }
-
-    fn pixel(&self, value: f64) -> f64 {
-        let share = (value.log10() - f64::from(self.decades.start)) / f64::from(self.decades.end - self.decades.start);
-        rounded(self.pixels.start + share * (self.pixels.end - self.pixels.start))
-    }
-
-    /// Values at which a line is drawn, with a label where a decade begins.
-    fn ticks(&self) -> impl Iterator<Item = (f64, Option<String>)> {
-        let steps = self.decades.clone().flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| (decade, digit)));
-        steps.chain([(self.decades.end, 1.0)]).map(|(decade, digit)| {
-            let label = (digit < 1.5).then(|| label(decade));
-            (digit * 10.0_f64.powi(decade), label)
-        })
-    }
-}
-
-/// `10 k` for 4, `0.01` for -2.
-fn label(decade: i32) -> String {
-    match decade {
-        ..0 => format!("{:.*}", decade.unsigned_abs() as usize, 10.0_f64.powi(decade)),
-        0..3 => format!("{}", 10_u32.pow(decade.unsigned_abs())),
-        3..6 => format!("{} k", 10_u32.pow(decade.unsigned_abs() - 3)),
-        6..9 => format!("{} M", 10_u32.pow(decade.unsigned_abs() - 6)),
-        _ => format!("1e{decade}"),
-    }
-}
-
-fn rounded(pixel: f64) -> f64 {
-    (pixel * 100.0).round() / 100.0
-}
-
-fn line(from: [f64; 2], to: [f64; 2]) -> Line {
-    Line::new().set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1])
-}
-
-fn text(words: impl Into<String>, [x, y]: [f64; 2], anchor: &str) -> Text {
-    Text::new(words).set("x", x).set("y", y).set("text-anchor", anchor).set("fill", SOFT)
-}
-
-fn grid(x: &Axis, y: &Axis) -> Group {
+fn grid(x: &LogAxis, y: &LogAxis) -> Group {
     let mut group = Group::new();
-    let stroke = |label: &Option<String>| if label.is_some() { "#c9ced4" } else { "#eceef0" };
+    let stroke = |label: &Option<String>| if label.is_some() { GRID } else { FAINT_GRID };
     for (value, label) in x.ticks() {
         let at = x.pixel(value);
         group = group.add(line([at, TOP], [at, BOTTOM]).set("stroke", stroke(&label)));
@@ -120,7 +53,7 @@ fn grid(x: &Axis, y: &Axis) -> Group {
     )
 }
 
-fn drawn(series: &Series<'_>, color: &str, x: &Axis, y: &Axis) -> Group {
+fn drawn(series: &Series<'_>, color: &str, x: &LogAxis, y: &LogAxis) -> Group {
     let mut group = Group::new().set("stroke", color).set("fill", color).set("stroke-width", 1.5);
     if let Some(growth) = series.growth() {
         let [from, to] =

@@ -2,6 +2,7 @@
 
 use crate::camera::CameraArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use silhouette_compare::record::Profile;
 use std::path::PathBuf;
 
 /// Find, draw and compare the silhouettes of triangle meshes.
@@ -46,6 +47,14 @@ pub enum Command {
         silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
         silhouettes compare -o out/builtin")]
     Compare(CompareArguments),
+    /// Measure what a paper printed, and set both side by side: tables, a chart, a page that opens offline
+    #[command(after_help = "Examples:\n  \
+        silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
+        silhouettes reproduce tracking stanford-bunny.obj armadillo.obj cow.obj --profile full -o out/tracking\n  \
+        silhouettes reproduce all -o out/papers\n\n\
+        The models of the papers are not part of this program. Without a mesh a built-in shape is flown around, and no row\n\
+        stands beside the paper's. The bunny of Hall's table is known by its 69451 faces.")]
+    Reproduce(ReproduceArguments),
 }
 
 /// Arguments of `inspect`.
@@ -116,6 +125,15 @@ pub enum ProfileArgument {
     Full,
 }
 
+impl From<ProfileArgument> for Profile {
+    fn from(argument: ProfileArgument) -> Self {
+        match argument {
+            ProfileArgument::Quick => Self::Quick,
+            ProfileArgument::Full => Self::Full,
+        }
+    }
+}
+
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
@@ -131,6 +149,30 @@ pub struct CompareArguments {
     #[arg(long, value_name = "FILE.jsonl")]
     pub peers: Vec<PathBuf>,
     /// Folder for the report; made, or replaced where it holds an earlier report
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Which paper's figures are measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PaperArgument {
+    /// Hall 2003, Silhouette Tracking
+    Tracking,
+    /// Every one of these
+    All,
+}
+
+/// Arguments of `reproduce`.
+#[derive(Debug, Args)]
+pub struct ReproduceArguments {
+    /// Whose figures to measure
+    pub paper: PaperArgument,
+    /// Mesh files or builtin:NAME [default: a built-in shape]
+    pub meshes: Vec<String>,
+    /// How much to measure
+    #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
+    pub profile: ProfileArgument,
+    /// Folder for the tables; made, or replaced where it holds an earlier reproduction
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
 }

@@ -54,7 +54,9 @@ pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
     let bounds = mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{name}: has no face")))?;
     let viewpoint = arguments.camera.viewpoint(&bounds)?;
 
-    let Prepared::Edges(mut method) = entry.prepare(&mesh, &options, &progress)? else {
+    let prepared = entry.prepare(&mesh, &options, &progress);
+    let failed = |error| Failure::of_preparation(&name, entry.info.name, error);
+    let Prepared::Edges(mut method) = prepared.map_err(failed)? else {
         unreachable!("methods that draw lines were refused above")
     };
     let mut edges = SilhouetteEdges::default();

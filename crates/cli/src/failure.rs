@@ -28,6 +28,15 @@ impl Failure {
         Self::Run(message.to_string())
     }
 
+    /// `method` could not be prepared for `mesh`: bad input where an option or the mesh itself does not fit.
+    pub fn of_preparation(mesh: &str, method: &str, error: PrepareError) -> Self {
+        match error {
+            PrepareError::Option(error) => error.into(),
+            PrepareError::Mesh(reason) => Self::Input(format!("{mesh}: not defined for {method}: {reason}")),
+            other => Self::run(other),
+        }
+    }
+
     /// Prints the line; yields the exit code.
     pub fn report(&self) -> ExitCode {
         let (message, code) = match self {
@@ -38,6 +47,12 @@ impl Failure {
         let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));
         ExitCode::from(code)
     }
+}
+
+/// Prints a note to stderr, on one line: something that does not stop the command, but that its user has to know.
+pub fn note(message: impl Display) {
+    // Where stderr is closed there is nobody to tell.
+    let _ = writeln!(std::io::stderr(), "silhouettes: note: {}", one_line(&message.to_string()));
 }
 
 /// clap's message as one line: its paragraphs up to the usage, which `--help` shows.
@@ -74,15 +89,6 @@ impl From<ViewError> for Failure {
 impl From<Cancelled> for Failure {
     fn from(error: Cancelled) -> Self {
         Self::run(error)
-    }
-}
-
-impl From<PrepareError> for Failure {
-    fn from(error: PrepareError) -> Self {
-        match error {
-            PrepareError::Option(error) => error.into(),
-            other => Self::run(other),
-        }
     }
 }
 

@@ -22,3 +22,38 @@ pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failur
     let name = path.file_name().map_or_else(|| argument.to_owned(), |name| name.to_string_lossy().into_owned());
     Ok(named(&name, mesh))
 }
+
+/// Loads all that are named, or `defaults` where none is.
+pub fn meshes(arguments: &[String], defaults: &[&str], progress: &dyn Progress) -> Result<Vec<NamedMesh>, Failure> {
+    let defaults: Vec<String> = defaults.iter().map(|&name| name.to_owned()).collect();
+    let named = if arguments.is_empty() { &defaults[..] } else { arguments };
+    let mut meshes = named.iter().map(|argument| mesh(argument, progress)).collect::<Result<Vec<_>, _>>()?;
+    tell_apart(&mut meshes, named);
+    Ok(meshes)
+}
+
+/// Files of the same name in several folders go by their paths, as they were given.
+fn tell_apart(meshes: &mut [NamedMesh], arguments: &[String]) {
+    let names: Vec<_> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
+    for (mesh, argument) in meshes.iter_mut().zip(arguments) {
+        if names.iter().filter(|&name| *name == mesh.name).count() > 1 {
+            mesh.name.clone_from(argument);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::{PreparedMesh, TriangleMesh};
+    use std::sync::Arc;
+
+    #[test]
+    fn only_files_of_the_same_name_go_by_their_paths() {
+        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(vec![], vec![]).unwrap()));
+        let named = |name: &str| NamedMesh { name: name.to_owned(), mesh: Arc::clone(&mesh) };
+        let mut meshes = [named("m.obj"), named("x.obj"), named("m.obj")];
+        tell_apart(&mut meshes, &["a/m.obj", "a/x.obj", "b/m.obj"].map(str::to_owned));
+        assert_eq!(meshes.map(|mesh| mesh.name), ["a/m.obj", "x.obj", "b/m.obj"]);
+    }
+}

@@ -14,6 +14,7 @@ mod inspect;
 mod output;
 mod progress;
 mod render;
+mod reproduce;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -42,5 +43,6 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Extract(arguments) => extract::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }

@@ -32,13 +32,10 @@ pub fn run(arguments: &RenderArguments) -> Result<(), Failure> {
     let camera = arguments.camera.camera(&bounds)?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;
     let style = FrameStyle { size: camera.size(), pen_width_px: arguments.width, samples: arguments.samples };
-    let image = render_method(&gpu, entry, &options, &named.mesh, &camera, style, &progress).map_err(failure)?;
-    output.write(&image.to_png().map_err(Failure::run)?)
-}
-
-fn failure(error: DrawError) -> Failure {
-    match error {
-        DrawError::Prepare(error) => error.into(),
+    let failed = |error| match error {
+        DrawError::Prepare(error) => Failure::of_preparation(&named.name, entry.info.name, error),
         other => Failure::run(other),
-    }
+    };
+    let image = render_method(&gpu, entry, &options, &named.mesh, &camera, style, &progress).map_err(failed)?;
+    output.write(&image.to_png().map_err(Failure::run)?)
 }

@@ -55,6 +55,22 @@ fn bad_mesh(folder: &Folder, mesh: &str, expected: &str) {
     assert_eq!(folder.names(), before, "nothing is written");
 }
 
+/// A mesh that a method is not defined for is refused by commands of one method, with the elements at fault.
+#[test]
+fn a_mesh_that_a_method_refuses() {
+    let folder = Folder::new();
+    for command in ["extract", "render"] {
+        for method in ["tracking", "tracking-exact"] {
+            let result = folder.path("result.svg").with_extension(if command == "extract" { "svg" } else { "png" });
+            let line = refused(&[command, "builtin:moebius", "--method", method, "-o", result.to_str().unwrap()]);
+            assert!(line.contains(&format!("builtin:moebius: not defined for {method}: ")), "{line}");
+            assert!(line.contains("edge ") && folder.names().is_empty(), "{line}");
+        }
+    }
+    let cut = silhouettes(&["extract", "builtin:moebius", "--method", "tracking", "--set", "mesh=cut"]);
+    assert!(cut.status.success(), "{}", String::from_utf8_lossy(&cut.stderr));
+}
+
 fn binary_stl(promised: u32, present: usize) -> Vec<u8> {
     let mut bytes = vec![b' '; 80];
     bytes.extend(promised.to_le_bytes());

@@ -12,7 +12,8 @@
 //! 7. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
 //! 8. [`report`]: files for people and programs.
 //!
-//! [`reproduce`] sets figures that papers print beside ours.
+//! [`reproduce`] sets figures that papers print beside ours. [`plot`]: what charts as SVG are made of.
+//! [`result_directory`]: how directories of results are written.
 //!
 //! ```no_run
 //! use silhouette_compare::{CompareConfig, NamedMesh, Profile, report, run};
@@ -37,14 +38,16 @@ pub mod machine;
 pub mod metrics;
 pub mod pareto;
 pub mod picture;
+pub mod plot;
 pub mod record;
 pub mod registry;
 pub mod report;
 pub mod reproduce;
+pub mod result_directory;
 pub mod runner;
 pub mod scaling;
 pub mod truth;
 
 pub use drawing::{FrameStyle, render_method};
 pub use record::{Profile, Record};
-pub use runner::{CompareConfig, CompareError, Comparison, MethodChoice, NamedMesh, PictureSet, run};
+pub use runner::{CompareConfig, CompareError, Comparison, LeftOut, MethodChoice, NamedMesh, PictureSet, run};

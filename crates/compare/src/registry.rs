@@ -7,14 +7,17 @@ use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized
 use silhouette_gpu::{DrawsLines, LineRenderer, MeshTooLarge, PenPlacement, TargetFormats};
 use silhouette_image_precision::ImagePrecision;
 use silhouette_render::Gpu;
+use silhouette_tracking::{ExactTracking, Tracking};
 use std::sync::Arc;
 
 /// Every method, in the order in which they are listed and compared.
-static ENTRIES: [Entry; 5] = [
+static ENTRIES: [Entry; 7] = [
     Entry::loops::<BruteForce>(),
     Entry::loops::<BruteForceSimd>(),
     Entry::loops::<ClusterCones>(),
     Entry::edges::<Randomized>(),
+    Entry::loops::<Tracking>(),
+    Entry::loops::<ExactTracking>(),
     Entry::lines::<ImagePrecision>(),
 ];
 
@@ -103,7 +106,7 @@ impl Entry {
     /// Prepares the method for a mesh.
     ///
     /// # Errors
-    /// [`PrepareError`]: cancelled, or an option that does not fit.
+    /// [`PrepareError`]: cancelled, an option that does not fit, or a mesh that the method is not defined for.
     pub fn prepare(
         &self,
         mesh: &Arc<PreparedMesh>,

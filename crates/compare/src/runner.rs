@@ -158,8 +158,28 @@ pub struct Comparison {
     pub records: Vec<Record>,
     /// One set of pictures a mesh and method, in this order.
     pub pictures: Vec<PictureSet>,
+    /// What is missing: methods that refuse a mesh. Neither records nor pictures hold anything of them.
+    pub left_out: Vec<LeftOut>,
     /// Extraction timings of other tools or other runs, for the report; [`run`] leaves it empty.
     pub peers: Vec<ExtractionRow>,
+}
+
+/// A method that a comparison leaves out on a mesh, because it is not defined for it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Name of the mesh.
+    pub mesh: String,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Why, with the elements at fault.
+    pub reason: String,
+}
+
+impl std::fmt::Display for LeftOut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { mesh, method, reason } = self;
+        write!(f, "{mesh}: {method} is left out: {reason}")
+    }
 }
 
 /// Pictures of one view.
@@ -185,7 +205,8 @@ pub struct PictureSet {
 /// graphics card; memory for one mesh at a time.
 ///
 /// # Errors
-/// [`CompareError`]; a failing method fails the comparison.
+/// [`CompareError`]; a failing method fails the comparison. One that is not defined for a mesh does not: it is listed as
+/// [left out](Comparison::left_out).
 pub fn run(
     config: &CompareConfig,
     meshes: &[NamedMesh],
@@ -199,6 +220,7 @@ pub fn run(
         methods: config.methods.iter().map(|choice| choice.entry).collect(),
         records: Vec::new(),
         pictures: Vec::new(),
+        left_out: Vec::new(),
         peers: Vec::new(),
     };
     for mesh in meshes {
@@ -277,6 +299,20 @@ mod tests {
         let scores =
             |comparison: &Comparison| comparison.records.iter().map(|record| record.metrics).collect::<Vec<_>>();
         assert_eq!(scores(&comparison), scores(&again));
+    }
+
+    #[test]
+    fn a_method_that_refuses_a_mesh_is_left_out_with_its_reason() {
+        let Some(gpu) = gpu_or_skip("a_method_that_refuses_a_mesh_is_left_out_with_its_reason") else { return };
+        let config = CompareConfig::new(Profile::Quick);
+        let comparison = run(&config, &[named("one-sided", "moebius:12,2")], gpu, &NoProgress).unwrap();
+        let left_out: Vec<_> = comparison.left_out.iter().map(|cell| (cell.mesh.as_str(), cell.method)).collect();
+        assert_eq!(left_out, [("one-sided", "tracking"), ("one-sided", "tracking-exact")]);
+        let note = comparison.left_out[0].to_string();
+        assert!(note.starts_with("one-sided: tracking is left out: ") && note.contains("disagree"), "{note}");
+        let others = config.methods.len() - left_out.len();
+        assert_eq!((comparison.pictures.len(), comparison.records.len()), (others, others * 6));
+        assert!(comparison.records.iter().all(|record| !record.method.starts_with("tracking")));
     }
 
     #[test]

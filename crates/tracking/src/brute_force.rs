@@ -73,6 +73,11 @@ impl BruteForce {
         &self.loops.now.loops
     }
 
+    /// The loops of the last frame.
+    pub fn loops(&self) -> &SilhouetteLoops {
+        &self.loops.loops
+    }
+
     /// What the last frame took.
     pub fn stats(&self) -> &TrackingStats {
         &self.stats

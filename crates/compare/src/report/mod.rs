@@ -10,44 +10,39 @@
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
 mod chart;
-mod directory;
 mod extraction_chart;
 mod page;
 mod summary;
 
 pub use chart::COLORS;
-pub use directory::{MARKER, check_target};
 pub use summary::{CellSummary, MeshSummary, summarise};
 
 use crate::record::Record;
+use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
 use crate::runner::{Comparison, PictureSet};
 use crate::scaling::{ExtractionRow, rows_of_records, write_rows};
-use directory::StagedDirectory;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+
+/// How reports are known.
+const REPORT: DirectoryKind = DirectoryKind { noun: "report", marker: "silhouettes-report.json" };
+
+/// Whether a report may be written to `directory`: nothing there, an empty directory, or an earlier report without any
+/// file of somebody else's. Ask before a long run; [`write`](write()) asks again.
+///
+/// # Errors
+/// [`DirectoryError`] says what is in the way.
+pub fn check_target(directory: &Path) -> Result<(), DirectoryError> {
+    REPORT.check_target(directory)
+}
 
 /// Why a report could not be written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// The path does not name a directory that can be created: `/`, `.` or `..`.
-    #[error("{}: give the report a directory of its own, for example report", path.display())]
-    NoName {
-        /// The path.
-        path: PathBuf,
-    },
-    /// Something exists there that is no report.
-    #[error("{}: exists and is no report of this program; choose another directory or move it away", path.display())]
-    NotOurs {
-        /// The path.
-        path: PathBuf,
-    },
-    /// A report exists there, with a file in it that no run has written.
-    #[error("{}: lies in the report that would be replaced; move it away", path.display())]
-    ForeignFile {
-        /// The file.
-        path: PathBuf,
-    },
+    /// The directory could not be written.
+    #[error(transparent)]
+    Directory(#[from] DirectoryError),
     /// A file could not be read or written.
     #[error("{}: {source}", path.display())]
     Io {
@@ -78,7 +73,7 @@ pub enum ReportError {
 /// # Errors
 /// [`ReportError`]; whatever was at `directory` before is still there.
 pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, ReportError> {
-    let mut staged = StagedDirectory::begin(directory)?;
+    let mut staged = StagedDirectory::begin(directory, REPORT)?;
     write_jsonl(&comparison.records, &staged.file("results.jsonl")?)?;
     write_csv(&comparison.records, &staged.file("results.csv")?)?;
     let extractions = [rows_of_records(&comparison.records), comparison.peers.clone()].concat();
@@ -154,6 +149,7 @@ mod tests {
                 sample::record(mesh, "brute-force", 4.0, 0.25),
                 sample::record(mesh, "image-precision", 2.0, 0.5),
             ],
+            left_out: Vec::new(),
             pictures: vec![set("brute-force"), set("image-precision")],
             peers: (1..=4).map(|step| row("<b>peer", "m", mesh, step * 100, step as f64)).collect(),
         }

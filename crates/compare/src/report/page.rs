@@ -30,6 +30,7 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         is_software => comparison.run.adapter.software,
         methods => methods(comparison),
         meshes => meshes,
+        left_out => comparison.left_out.iter().map(ToString::to_string).collect::<Vec<_>>(),
         extraction => extraction_section(extractions),
         metrics => METRICS.iter().map(metric_row).collect::<Vec<_>>(),
         chart_script => Value::from_safe_string(chart::script()),
@@ -211,6 +212,15 @@ mod tests {
         assert!(page.contains("&lt;img src=x onerror=alert(1)&gt;"));
         assert!(page.contains("{{ 7*7 }}"), "names are not templates");
         assert!(page.contains("a &lt;processor&gt;"));
+    }
+
+    #[test]
+    fn what_is_left_out_is_said() {
+        let reason = "3 edges join <b>".to_owned();
+        let left_out = vec![crate::LeftOut { mesh: "m".to_owned(), method: "tracking", reason }];
+        let page = rendered(&Comparison { left_out, ..comparison() });
+        assert!(page.contains("<li>m: tracking is left out: 3 edges join &lt;b&gt;</li>"));
+        assert!(!rendered(&comparison()).contains("is left out"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! One mesh of a comparison: its truth, and the methods that are run on it.
 
-use super::{CompareConfig, CompareError, Comparison, MethodChoice, NamedMesh, PictureSet};
+use super::{CompareConfig, CompareError, Comparison, LeftOut, MethodChoice, NamedMesh, PictureSet};
 use crate::camera_path::Orbit;
 use crate::cost::{FrameCost, PrepareCost};
 use crate::drawing::{DrawError, Drawing, FrameStyle};
@@ -10,6 +10,7 @@ use crate::record::{EdgeScore, MeshRecord, PenRecord, Record, TruthRecord, ViewR
 use crate::registry::Prepared;
 use crate::truth::pen::{Truth, TruthFinder};
 use rayon::prelude::*;
+use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
 use silhouette_core::{Cancelled, PreparedMesh, Progress, SilhouetteEdges};
 use silhouette_gpu::{Pen, PenPlacement};
@@ -75,7 +76,7 @@ impl<'a> Bench<'a> {
         Ok(Self { config, gpu, progress, mesh, record, animation, finder, truths, pens: HashMap::new() })
     }
 
-    /// Runs a method: its answer first, its times afterwards.
+    /// Runs a method: its answer first, its times afterwards. One that refuses the mesh is noted as left out.
     pub fn run_method(&mut self, choice: &MethodChoice, comparison: &mut Comparison) -> Result<(), CompareError> {
         let method = choice.entry.info.name;
         let mesh = self.mesh.name.clone();
@@ -86,7 +87,13 @@ impl<'a> Bench<'a> {
         let steps = self.truths.len() + self.animation.len();
         self.progress.stage(&format!("{mesh}: {method}"), steps as u64);
 
-        let (mut drawing, prepare) = self.prepare(choice).map_err(failed)?;
+        let (mut drawing, prepare) = match self.prepare(choice) {
+            Err(BenchError::Draw(DrawError::Prepare(PrepareError::Mesh(reason)))) => {
+                comparison.left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
+                return Ok(());
+            }
+            prepared => prepared.map_err(failed)?,
+        };
         let pen = drawing.pen();
         self.draw_true_pens(pen)?;
         let views = self.draw_views(&mut drawing).map_err(failed)?;

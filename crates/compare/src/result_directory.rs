@@ -1,74 +1,125 @@
 //! A directory that appears as a whole, and replaces only what an earlier run has written.
 
-use super::ReportError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Name of the file that marks a directory as a report and lists what the report wrote.
-pub const MARKER: &str = "silhouettes-report.json";
+/// What a directory of results holds; one kind never replaces another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DirectoryKind {
+    /// What it is called, `report` for example.
+    pub noun: &'static str,
+    /// Name of the file that marks a directory as one of this kind and lists what was written to it.
+    pub marker: &'static str,
+}
 
-/// Contents of [`MARKER`].
+/// Why a directory of results could not be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum DirectoryError {
+    /// The path does not name a directory that can be created: `/`, `.` or `..`.
+    #[error("{}: give the {noun} a directory of its own, for example {noun}", path.display())]
+    NoName {
+        /// The path.
+        path: PathBuf,
+        /// What was to be written.
+        noun: &'static str,
+    },
+    /// Something exists there that is of another kind.
+    #[error("{}: exists and is no {noun} of this program; choose another directory or move it away", path.display())]
+    NotOurs {
+        /// The path.
+        path: PathBuf,
+        /// What was to be written.
+        noun: &'static str,
+    },
+    /// An earlier one exists there, with a file in it that no run has written.
+    #[error("{}: lies in the {noun} that would be replaced; move it away", path.display())]
+    ForeignFile {
+        /// The file.
+        path: PathBuf,
+        /// What was to be written.
+        noun: &'static str,
+    },
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+}
+
+/// Contents of a [marker](DirectoryKind::marker).
 #[derive(Debug, Serialize, Deserialize)]
 struct Manifest {
     /// Version of the package that wrote it.
     version: String,
-    /// Every file of the report but the marker: paths relative to the directory, `/` between parts.
+    /// Every file but the marker: paths relative to the directory, `/` between parts.
     files: BTreeSet<String>,
 }
 
-/// What is where a report is to be.
+/// What is where a directory is to be.
 enum Existing {
     Nothing,
     EmptyDirectory,
-    Report(Manifest),
+    Earlier(Manifest),
 }
 
-/// Whether a report may be written to `directory`: nothing there, an empty directory, or an earlier report without any
-/// file of somebody else's. Ask before a long run; [`write`](super::write()) asks again.
-///
-/// # Errors
-/// [`ReportError`] says what is in the way.
-pub fn check_target(directory: &Path) -> Result<(), ReportError> {
-    examine(directory).map(drop)
+impl DirectoryKind {
+    /// Whether a directory of this kind may be written to `directory`: nothing there, an empty directory, or an earlier
+    /// one without any file of somebody else's. Ask before a long run; writing asks again.
+    ///
+    /// # Errors
+    /// [`DirectoryError`] says what is in the way.
+    pub fn check_target(self, directory: &Path) -> Result<(), DirectoryError> {
+        examine(directory, self).map(drop)
+    }
 }
 
-fn examine(directory: &Path) -> Result<Existing, ReportError> {
+fn examine(directory: &Path, kind: DirectoryKind) -> Result<Existing, DirectoryError> {
+    let DirectoryKind { noun, marker } = kind;
     if directory.file_name().is_none() {
-        return Err(ReportError::NoName { path: directory.to_owned() });
+        return Err(DirectoryError::NoName { path: directory.to_owned(), noun });
     }
     let metadata = match fs::symlink_metadata(directory) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Existing::Nothing),
         other => other.map_err(at(directory))?,
     };
-    let not_ours = || ReportError::NotOurs { path: directory.to_owned() };
+    let not_ours = || DirectoryError::NotOurs { path: directory.to_owned(), noun };
     if !metadata.is_dir() {
         return Err(not_ours());
     }
     if fs::read_dir(directory).map_err(at(directory))?.next().is_none() {
         return Ok(Existing::EmptyDirectory);
     }
-    let manifest = fs::read(directory.join(MARKER)).ok().and_then(|text| serde_json::from_slice(&text).ok());
+    let manifest = fs::read(directory.join(marker)).ok().and_then(|text| serde_json::from_slice(&text).ok());
     let manifest: Manifest = manifest.ok_or_else(not_ours)?;
-    match find_foreign(directory, "", &manifest)? {
-        Some(path) => Err(ReportError::ForeignFile { path }),
-        None => Ok(Existing::Report(manifest)),
+    match find_foreign(directory, "", &manifest, marker)? {
+        Some(path) => Err(DirectoryError::ForeignFile { path, noun }),
+        None => Ok(Existing::Earlier(manifest)),
     }
 }
 
 /// A file below `directory` that the manifest does not list.
-fn find_foreign(directory: &Path, prefix: &str, manifest: &Manifest) -> Result<Option<PathBuf>, ReportError> {
+fn find_foreign(
+    directory: &Path,
+    prefix: &str,
+    manifest: &Manifest,
+    marker: &str,
+) -> Result<Option<PathBuf>, DirectoryError> {
     for entry in fs::read_dir(directory).map_err(at(directory))? {
         let entry = entry.map_err(at(directory))?;
         let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
         let kind = entry.file_type().map_err(at(directory))?;
         let inside = format!("{name}/");
         let foreign = if kind.is_dir() && manifest.files.iter().any(|file| file.starts_with(&inside)) {
-            find_foreign(&entry.path(), &inside, manifest)?
+            find_foreign(&entry.path(), &inside, manifest, marker)?
         } else {
-            let ours = kind.is_file() && (name == MARKER || manifest.files.contains(&name));
+            let ours = kind.is_file() && (name == marker || manifest.files.contains(&name));
             (!ours).then(|| entry.path())
         };
         if foreign.is_some() {
@@ -78,13 +129,14 @@ fn find_foreign(directory: &Path, prefix: &str, manifest: &Manifest) -> Result<O
     Ok(None)
 }
 
-fn at(path: &Path) -> impl Fn(io::Error) -> ReportError {
+fn at(path: &Path) -> impl Fn(io::Error) -> DirectoryError {
     let path = path.to_owned();
-    move |source| ReportError::Io { path: path.clone(), source }
+    move |source| DirectoryError::Io { path: path.clone(), source }
 }
 
 /// A directory under construction beside its final place; removed again unless [`commit`](Self::commit) is called.
-pub(super) struct StagedDirectory {
+pub(crate) struct StagedDirectory {
+    kind: DirectoryKind,
     target: PathBuf,
     staging: PathBuf,
     files: BTreeSet<String>,
@@ -92,18 +144,18 @@ pub(super) struct StagedDirectory {
 
 impl StagedDirectory {
     /// Creates the directory beside `target`, whose parents are created where they are missing.
-    pub fn begin(target: &Path) -> Result<Self, ReportError> {
-        examine(target)?;
+    pub fn begin(target: &Path, kind: DirectoryKind) -> Result<Self, DirectoryError> {
+        examine(target, kind)?;
         let staging = beside(target, "partial");
         if let Some(parent) = target.parent().filter(|parent| !parent.as_os_str().is_empty()) {
             fs::create_dir_all(parent).map_err(at(parent))?;
         }
         fs::create_dir(&staging).map_err(at(&staging))?;
-        Ok(Self { target: target.to_owned(), staging, files: BTreeSet::new() })
+        Ok(Self { kind, target: target.to_owned(), staging, files: BTreeSet::new() })
     }
 
     /// Where to write the file that will be at this path, `/` between parts, in the finished directory.
-    pub fn file(&mut self, name: &str) -> Result<PathBuf, ReportError> {
+    pub fn file(&mut self, name: &str) -> Result<PathBuf, DirectoryError> {
         let path = self.staging.join(name);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(at(parent))?;
@@ -112,30 +164,30 @@ impl StagedDirectory {
         Ok(path)
     }
 
-    /// Puts the directory in its place. An earlier report is moved aside first and removed afterwards, file by file as its
+    /// Puts the directory in its place. An earlier one is moved aside first and removed afterwards, file by file as its
     /// own manifest lists them.
-    pub fn commit(mut self) -> Result<(), ReportError> {
+    pub fn commit(mut self) -> Result<(), DirectoryError> {
         let manifest =
             Manifest { version: env!("CARGO_PKG_VERSION").to_owned(), files: std::mem::take(&mut self.files) };
-        let marker = self.staging.join(MARKER);
+        let marker = self.staging.join(self.kind.marker);
         let text = serde_json::to_vec_pretty(&manifest).map_err(|error| at(&marker)(error.into()))?;
         fs::write(&marker, text).map_err(at(&marker))?;
 
         let put_in_place = || fs::rename(&self.staging, &self.target).map_err(at(&self.target));
-        match examine(&self.target)? {
+        match examine(&self.target, self.kind)? {
             Existing::Nothing => put_in_place(),
             Existing::EmptyDirectory => {
                 fs::remove_dir(&self.target).map_err(at(&self.target))?;
                 put_in_place()
             }
-            Existing::Report(old) => {
+            Existing::Earlier(old) => {
                 let aside = beside(&self.target, "old");
                 fs::rename(&self.target, &aside).map_err(at(&self.target))?;
                 if let Err(error) = put_in_place() {
                     fs::rename(&aside, &self.target).map_err(at(&aside))?;
                     return Err(error);
                 }
-                remove_report(&aside, &old)
+                remove(&aside, &old, self.kind)
             }
         }
     }
@@ -159,9 +211,9 @@ fn beside(path: &Path, what: &str) -> PathBuf {
 }
 
 /// Removes the files that a manifest lists, then the directories that are empty.
-fn remove_report(directory: &Path, manifest: &Manifest) -> Result<(), ReportError> {
+fn remove(directory: &Path, manifest: &Manifest, kind: DirectoryKind) -> Result<(), DirectoryError> {
     let mut folders = BTreeSet::new();
-    for name in manifest.files.iter().map(String::as_str).chain([MARKER]) {
+    for name in manifest.files.iter().map(String::as_str).chain([kind.marker]) {
         let path = directory.join(name);
         match fs::remove_file(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(at(&path)(error)),
@@ -179,8 +231,11 @@ fn remove_report(directory: &Path, manifest: &Manifest) -> Result<(), ReportErro
 mod tests {
     use super::*;
 
-    fn write_report(target: &Path, text: &str) -> Result<(), ReportError> {
-        let mut staged = StagedDirectory::begin(target)?;
+    const REPORT: DirectoryKind = DirectoryKind { noun: "report", marker: "silhouettes-report.json" };
+    const OTHER: DirectoryKind = DirectoryKind { noun: "table", marker: "silhouettes-table.json" };
+
+    fn write_report(target: &Path, text: &str) -> Result<(), DirectoryError> {
+        let mut staged = StagedDirectory::begin(target, REPORT)?;
         for name in ["page.txt", "images/one.txt"] {
             fs::write(staged.file(name)?, text).unwrap();
         }
@@ -192,7 +247,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let target = dir.path().join("deep/report");
         for text in ["first", "second"] {
-            check_target(&target).unwrap();
+            REPORT.check_target(&target).unwrap();
             write_report(&target, text).unwrap();
             assert_eq!(fs::read_to_string(target.join("images/one.txt")).unwrap(), text);
         }
@@ -208,9 +263,9 @@ mod tests {
         let foreign = dir.path().join("photos");
         fs::create_dir(&foreign).unwrap();
         fs::write(foreign.join("a.jpg"), "mine").unwrap();
-        assert!(matches!(write_report(&foreign, "x"), Err(ReportError::NotOurs { .. })));
+        assert!(matches!(write_report(&foreign, "x"), Err(DirectoryError::NotOurs { .. })));
         let file = foreign.join("a.jpg");
-        assert!(matches!(check_target(&file), Err(ReportError::NotOurs { .. })));
+        assert!(matches!(REPORT.check_target(&file), Err(DirectoryError::NotOurs { .. })));
 
         let report = dir.path().join("report");
         write_report(&report, "first").unwrap();
@@ -218,7 +273,7 @@ mod tests {
             let note = report.join(note);
             fs::create_dir_all(note.parent().unwrap()).unwrap();
             fs::write(&note, "mine").unwrap();
-            assert!(matches!(write_report(&report, "second"), Err(ReportError::ForeignFile { .. })), "{note:?}");
+            assert!(matches!(write_report(&report, "second"), Err(DirectoryError::ForeignFile { .. })), "{note:?}");
             assert_eq!(fs::read_to_string(&note).unwrap(), "mine");
             assert_eq!(fs::read_to_string(report.join("page.txt")).unwrap(), "first");
             fs::remove_file(&note).unwrap();
@@ -228,10 +283,21 @@ mod tests {
     }
 
     #[test]
+    fn one_kind_does_not_replace_another() {
+        let dir = tempfile::tempdir().unwrap();
+        let target = dir.path().join("report");
+        write_report(&target, "first").unwrap();
+        let error = OTHER.check_target(&target).unwrap_err().to_string();
+        assert!(error.contains("is no table of this program"), "{error}");
+        assert!(StagedDirectory::begin(&target, OTHER).is_err());
+        REPORT.check_target(&target).unwrap();
+    }
+
+    #[test]
     fn a_failed_run_leaves_nothing_half_written() {
         let dir = tempfile::tempdir().unwrap();
         let target = dir.path().join("report");
-        let mut staged = StagedDirectory::begin(&target).unwrap();
+        let mut staged = StagedDirectory::begin(&target, REPORT).unwrap();
         fs::write(staged.file("page.txt").unwrap(), "half").unwrap();
         drop(staged);
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
@@ -240,7 +306,7 @@ mod tests {
     #[test]
     fn paths_without_a_name_are_refused() {
         for path in ["/", "..", ""] {
-            assert!(matches!(check_target(Path::new(path)), Err(ReportError::NoName { .. })), "{path}");
+            assert!(matches!(REPORT.check_target(Path::new(path)), Err(DirectoryError::NoName { .. })), "{path}");
         }
     }
 }

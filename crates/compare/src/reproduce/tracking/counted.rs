@@ -1,0 +1,39 @@
+//! What a frame takes in faces: the same on every machine.
+
+use super::variants::Flier;
+
+/// Faces evaluated over some frames.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counted {
+    /// Distinct faces evaluated, frame by frame added up.
+    pub evaluated: u64,
+    /// Faces of the mesh, added up in the same way: what brute force evaluates.
+    pub all: u64,
+    /// Frames that a tracker found by brute force.
+    pub fallbacks: u32,
+}
+
+impl Counted {
+    /// Counts the last frame of a mesh of `faces` faces.
+    pub fn count(&mut self, flier: &Flier, faces: usize) {
+        self.evaluated += flier.faces_evaluated();
+        self.all += faces as u64;
+        self.fallbacks += u32::from(flier.fell_back());
+    }
+
+    /// All faces over those evaluated, from 1; `None` where none was.
+    pub fn speed_up(&self) -> Option<f64> {
+        (self.evaluated > 0).then(|| self.all as f64 / self.evaluated as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_up_is_one_over_the_share_of_faces() {
+        let counted = |evaluated| Counted { evaluated, all: 400, fallbacks: 0 };
+        assert_eq!([400, 100, 0].map(|evaluated| counted(evaluated).speed_up()), [Some(1.0), Some(4.0), None]);
+    }
+}

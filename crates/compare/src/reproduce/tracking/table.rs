@@ -1,0 +1,129 @@
+//! The table for people: a row a variant, the paper's speed-up beside ours.
+
+use super::measure::{MeshResult, Reproduction, VariantResult};
+use super::paper::model_of;
+use super::path::STEP_DEG;
+use std::io::{self, Write};
+
+/// A column: its head, its unit, what it tells.
+pub struct Column {
+    /// Its head.
+    pub title: &'static str,
+    /// Unit; empty for a ratio.
+    pub unit: &'static str,
+    /// What it tells.
+    pub meaning: &'static str,
+}
+
+/// The columns behind the variant's name.
+pub const COLUMNS: [Column; 8] = [
+    Column { title: "paper", unit: "×", meaning: "speed-up over brute force that the paper prints" },
+    Column {
+        title: "counted",
+        unit: "×",
+        meaning: "faces of the mesh over distinct faces evaluated in a frame; the same on every machine",
+    },
+    Column { title: "wall", unit: "×", meaning: "Hall's brute force's time over this one's, in the same run" },
+    Column { title: "time", unit: "µs", meaning: "median time of a frame" },
+    Column { title: "edges", unit: "% missed", meaning: "silhouette edges that were not found" },
+    Column { title: "loops", unit: "% missed", meaning: "silhouette loops of which no edge was found" },
+    Column { title: "length", unit: "% missed", meaning: "length in space that was not found, hidden parts included" },
+    Column {
+        title: "visible",
+        unit: "% missed",
+        meaning: "length in the picture that was not found, of what can be seen",
+    },
+];
+
+/// The cells of a variant, in the order of [`COLUMNS`]; a dash where there is nothing to tell.
+pub fn cells(mesh: &MeshResult, result: &VariantResult) -> [String; 8] {
+    let ratio = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.2}"));
+    let printed = model_of(mesh.faces).zip(result.variant.paper_column());
+    let missed = |percent: f64| match percent {
+        0.0 => "0".to_owned(),
+        small if small < 0.005 => "< 0.01".to_owned(),
+        _ => format!("{percent:.2}"),
+    };
+    let time = result.median_us;
+    [
+        ratio(printed.map(|(model, column)| model.speed_ups[column])),
+        ratio(result.counted.speed_up()),
+        ratio(Some(result.speed_up)),
+        if time < 100.0 { format!("{time:.1}") } else { format!("{time:.0}") },
+        missed(result.missed.edges.percent()),
+        missed(result.missed.loops.percent()),
+        missed(result.missed.length.percent()),
+        result.missed_visible.map_or_else(|| "–".to_owned(), missed),
+    ]
+}
+
+/// What is to be known of a mesh, in one sentence.
+pub fn describe(mesh: &MeshResult) -> String {
+    let MeshResult { faces, concave_edges, boundary_edges, half_edges, loops, .. } = mesh;
+    format!(
+        "{faces} faces, {concave_edges} concave and {boundary_edges} boundary edges; a frame's silhouette has \
+         {half_edges:.0} edges in {loops:.1} loops"
+    )
+}
+
+/// Writes the table of every mesh.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn write_table(reproduction: &Reproduction, mut out: impl Write) -> io::Result<()> {
+    let Reproduction { machine, program, frames, .. } = reproduction;
+    writeln!(out, "Hall 2003, Silhouette Tracking: {frames} frames of {STEP_DEG} degrees, one thread")?;
+    writeln!(out, "{program}; {machine}")?;
+    for mesh in &reproduction.meshes {
+        writeln!(out, "\n{}: {}", mesh.name, describe(mesh))?;
+        if let Some(why) = &mesh.without_visible {
+            writeln!(out, "visible length is not known: {why}")?;
+        }
+        let head = |text: fn(&Column) -> &'static str| COLUMNS.each_ref().map(text);
+        write_line(&mut out, "", head(|column| column.title))?;
+        write_line(&mut out, "", head(|column| column.unit))?;
+        for result in &mesh.variants {
+            write_line(&mut out, &result.variant.label(), cells(mesh, result).each_ref().map(String::as_str))?;
+        }
+    }
+    Ok(())
+}
+
+fn write_line(out: &mut impl Write, label: &str, cells: [&str; 8]) -> io::Result<()> {
+    write!(out, "{label:<28}")?;
+    for cell in cells {
+        write!(out, " {cell:>9}")?;
+    }
+    writeln!(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::measure::tests::reproduction;
+    use super::*;
+
+    #[test]
+    fn a_line_a_variant_with_a_cell_a_column() {
+        let mut out = Vec::new();
+        write_table(reproduction(), &mut out).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        let variants = reproduction().meshes[0].variants.len();
+        assert_eq!(text.lines().count(), 2 + 2 * (5 + variants));
+        let row = text.lines().find(|line| line.starts_with("brute force (Hall)")).unwrap();
+        let cells: Vec<&str> = row["brute force (Hall)".len()..].split_whitespace().collect();
+        assert_eq!((cells.len(), cells[0], cells[1], cells[2]), (8, "–", "1.00", "1.00"));
+        assert_eq!(cells[4..], ["0", "0", "0", "–"]);
+        let length = |line: &str| line.chars().count();
+        assert!(text.lines().filter(|line| line.contains("N = ")).all(|line| length(line) == length(row)), "{text}");
+    }
+
+    #[test]
+    fn small_shares_are_not_rounded_to_nothing() {
+        let mesh = &reproduction().meshes[0];
+        let mut result = mesh.variants[0].clone();
+        result.missed_visible = Some(0.001);
+        assert_eq!(cells(mesh, &result)[7], "< 0.01");
+        result.missed_visible = Some(12.345);
+        assert_eq!(cells(mesh, &result)[7], "12.35");
+    }
+}

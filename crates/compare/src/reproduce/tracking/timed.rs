@@ -1,0 +1,43 @@
+//! What a frame takes in time.
+//!
+//! One thread. Each variant flies the whole path before the next one does, so that caches hold what they would in an
+//! application, and all do so several times in turn, so that a change of the machine's speed meets all alike. A frame's
+//! time is its least over these rounds; the median over frames is what is told.
+
+use super::variants::Flier;
+use silhouette_core::{Cancelled, Progress, Viewpoint};
+use silhouette_tracking::Tracker;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// How often each variant flies the path.
+pub const ROUNDS: u32 = 3;
+
+/// Least microseconds of each frame but the first, for each flier. The first is where trackers take up the path.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn time_frames(
+    fliers: &mut [Flier],
+    states: &[Option<Box<Tracker>>],
+    views: &[Viewpoint],
+    progress: &dyn Progress,
+) -> Result<Vec<Vec<f64>>, Cancelled> {
+    let mut least_us = vec![vec![f64::INFINITY; views.len().saturating_sub(1)]; fliers.len()];
+    for _ in 0..ROUNDS {
+        for ((flier, state), least_us) in fliers.iter_mut().zip(states).zip(&mut least_us) {
+            progress.check()?;
+            flier.restore(state);
+            for (frame, view) in views.iter().enumerate() {
+                let start = Instant::now();
+                flier.frame(black_box(view));
+                let us = start.elapsed().as_secs_f64() * 1e6;
+                if let Some(least) = frame.checked_sub(1).map(|frame| &mut least_us[frame]) {
+                    *least = least.min(us);
+                }
+            }
+            progress.advance(1);
+        }
+    }
+    Ok(least_us)
+}

@@ -1,0 +1,107 @@
+//! What a frame misses of the silhouette that can be seen: length in pixels, hidden parts left out.
+
+use super::path::Path;
+use super::recall::Share;
+use crate::record::Profile;
+use crate::truth::TrueLines;
+use crate::truth::pen::{TruthError, TruthFinder};
+use silhouette_core::view::ViewError;
+use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges};
+use silhouette_render::{DEFAULT_SUPERSAMPLING, Gpu};
+use std::sync::Arc;
+
+/// Why visibility is not known.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum VisibleError {
+    /// A view cannot be drawn.
+    #[error(transparent)]
+    View(#[from] ViewError),
+    /// The device failed, or the mesh is too large for it.
+    #[error(transparent)]
+    Truth(#[from] TruthError),
+}
+
+/// The visible lines of some frames: the [truth](crate::truth), decided by depth pictures.
+#[derive(Debug)]
+pub struct VisibleFrames {
+    lines: Vec<(u32, TrueLines)>,
+}
+
+/// The frames of a path whose visible lines are asked for: evenly spread.
+pub fn pictured_frames(profile: Profile, frames: u32) -> Vec<u32> {
+    let views = match profile {
+        Profile::Quick => 4,
+        Profile::Full => 12,
+    };
+    (0..views).map(|view| (2 * view + 1) * frames / (2 * views)).collect()
+}
+
+impl VisibleFrames {
+    /// Finds the visible lines of these frames.
+    ///
+    /// # Errors
+    /// [`VisibleError`].
+    pub fn find(
+        gpu: &Gpu,
+        mesh: &Arc<PreparedMesh>,
+        path: &Path,
+        frames: &[u32],
+        size: [u32; 2],
+        progress: &dyn Progress,
+    ) -> Result<Self, VisibleError> {
+        let mut finder = TruthFinder::new(gpu, mesh, DEFAULT_SUPERSAMPLING, progress)?;
+        let mut lines = Vec::with_capacity(frames.len());
+        for &frame in frames {
+            let truth = finder.find(gpu, &path.camera(frame, size)?)?;
+            lines.push((frame, truth.lines));
+        }
+        Ok(Self { lines })
+    }
+
+    /// Share of the visible length that was missed, where `found` yields the edges found in a frame.
+    pub fn missed<'a>(&self, found: impl Fn(u32) -> &'a SilhouetteEdges) -> Share {
+        let mut share = Share::default();
+        for (frame, lines) in &self.lines {
+            count(lines, found(*frame), &mut share);
+        }
+        share
+    }
+}
+
+fn count(lines: &TrueLines, found: &SilhouetteEdges, share: &mut Share) {
+    for sample in &lines.samples {
+        share.add(sample.length_px, found.contains(sample.edge));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::truth::TrueSample;
+    use glam::DVec2;
+    use silhouette_core::EdgeId;
+
+    #[test]
+    fn frames_are_spread_and_within_the_path() {
+        assert_eq!(pictured_frames(Profile::Quick, 120), [15, 45, 75, 105]);
+        for frames in [1, 2, 500] {
+            assert!(pictured_frames(Profile::Full, frames).iter().all(|&frame| frame < frames));
+        }
+    }
+
+    /// Two edges, of which one is twice as long in the picture as the other.
+    #[test]
+    fn what_is_missed_is_weighed_by_its_visible_length() {
+        let sample =
+            |edge: u32| TrueSample { pixel: DVec2::ZERO, tangent: DVec2::X, length_px: 0.25, edge: EdgeId::new(edge) };
+        let lines = TrueLines { samples: vec![sample(3), sample(5), sample(5)], runs: Vec::new() };
+        let missed = |found: &[u32]| {
+            let mut edges = SilhouetteEdges::default();
+            edges.refill(found.iter().copied().map(EdgeId::new));
+            VisibleFrames { lines: vec![(0, lines.clone())] }.missed(|_| &edges).percent()
+        };
+        assert_eq!((missed(&[3, 5]), missed(&[])), (0.0, 100.0));
+        assert!((missed(&[5]) - 100.0 / 3.0).abs() < 1e-12 && (missed(&[3, 9]) - 200.0 / 3.0).abs() < 1e-12);
+    }
+}
