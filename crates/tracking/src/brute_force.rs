@@ -75,7 +75,7 @@ impl BruteForce {
 
     /// The loops of the last frame.
     pub fn loops(&self) -> &SilhouetteLoops {
-        &self.loops.loops
+        &self.loops.now.loops
     }
 
     /// What the last frame took.

@@ -13,7 +13,7 @@ use silhouette_core::method::{
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
     ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops,
-    Topology, Viewpoint,
+    Viewpoint,
 };
 use std::sync::Arc;
 
@@ -126,7 +126,7 @@ impl Method for Tracking {
                   more the higher its level.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
         exact: false,
-        needs: &[ConnectivityTable::NAME, Topology::NAME, TrackedEdges::NAME],
+        needs: &[ConnectivityTable::NAME, TrackedEdges::NAME],
         options: OPTIONS,
     };
 

@@ -5,7 +5,7 @@ use super::variants::Flier;
 /// Faces evaluated over some frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counted {
-    /// Distinct faces evaluated, frame by frame added up.
+    /// Faces evaluated, frame by frame added up: distinct ones by Hall's methods.
     pub evaluated: u64,
     /// Faces of the mesh, added up in the same way: what brute force evaluates.
     pub all: u64,
@@ -21,7 +21,7 @@ impl Counted {
         self.fallbacks += u32::from(flier.fell_back());
     }
 
-    /// All faces over those evaluated, from 1; `None` where none was.
+    /// All faces over those evaluated; `None` where none was. Below 1 for a method that looks at faces twice.
     pub fn speed_up(&self) -> Option<f64> {
         (self.evaluated > 0).then(|| self.all as f64 / self.evaluated as f64)
     }

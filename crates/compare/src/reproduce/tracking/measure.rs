@@ -1,7 +1,7 @@
 //! Every variant over the path around every mesh.
 
 use super::counted::Counted;
-use super::path::Path;
+use super::path::{Frame, Path};
 use super::recall::Missed;
 use super::timed::time_frames;
 use super::variants::{Flier, Variant};
@@ -12,7 +12,7 @@ use crate::record::Profile;
 use crate::runner::NamedMesh;
 use silhouette_core::loops::start_vertex;
 use silhouette_core::method::PrepareError;
-use silhouette_core::{Cancelled, HalfEdgeId, Progress, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint};
+use silhouette_core::{Cancelled, HalfEdgeId, Progress, SilhouetteEdges, SilhouetteLoops, Topology};
 use silhouette_render::Gpu;
 use silhouette_tracking::{ConnectivityTable, NotTrackable, TrackedEdges};
 
@@ -102,7 +102,7 @@ pub struct VariantResult {
 pub fn frames(profile: Profile) -> u32 {
     match profile {
         Profile::Quick => 120,
-        Profile::Full => 500,
+        Profile::Full => 504,
     }
 }
 
@@ -148,7 +148,7 @@ struct Observed {
     counted: Counted,
     missed: Missed,
     /// The edges found in the frames that are pictured.
-    pictured: Vec<(u32, SilhouetteEdges)>,
+    pictured: Vec<SilhouetteEdges>,
 }
 
 fn measure_mesh(
@@ -165,10 +165,10 @@ fn measure_mesh(
     };
     let table = mesh.artefact::<ConnectivityTable>("reproduce tracking", progress)?;
     let tracked = mesh.artefact::<TrackedEdges>("reproduce tracking", progress)?;
-    let path = Path::new(bounds, frames(profile) + 1);
-    let views: Vec<Viewpoint> = path.frames().collect();
-    // The first frame is where trackers take up the path; it is not measured.
-    let pictured: Vec<u32> = pictured_frames(profile, frames(profile)).into_iter().map(|frame| frame + 1).collect();
+    let path = Path::new(bounds, frames(profile));
+    let frames = path.frames();
+    let measured: Vec<Frame> = frames.iter().copied().filter(|frame| frame.is_measured).collect();
+    let pictured = pictured_frames(profile, measured.len());
 
     let variants = Variant::all();
     progress.stage(&format!("{name}: flight"), 2 * variants.len() as u64);
@@ -180,23 +180,20 @@ fn measure_mesh(
             path.lead_in().for_each(|view| flier.frame(&view));
         }
         states.push(flier.state());
-        observed.push(observe(&mut flier, &views, &pictured, &mut truth, progress)?);
+        observed.push(observe(&mut flier, &frames, &pictured, &mut truth, progress)?);
         fliers.push(flier);
         progress.advance(2);
     }
     progress.stage(&format!("{name}: time"), u64::from(super::timed::ROUNDS) * variants.len() as u64);
-    let times_us = time_frames(&mut fliers, &states, &views, progress)?;
+    let times_us = time_frames(&mut fliers, &states, &frames, progress)?;
 
+    let drawn: Vec<Frame> = pictured.iter().map(|&frame| measured[frame]).collect();
     let visible = gpu.map_err(str::to_owned).and_then(|gpu| {
-        VisibleFrames::find(gpu, mesh, &path, &pictured, profile.size(), progress).map_err(|error| error.to_string())
+        VisibleFrames::find(gpu, mesh, &path, &drawn, profile.size(), progress).map_err(|error| error.to_string())
     });
     let medians: Vec<f64> = times_us.iter().map(|us| Spread::of(us).map_or(f64::NAN, |spread| spread.median)).collect();
     let results = variants.iter().zip(&observed).zip(&medians).map(|((&variant, observed), &median_us)| {
-        let found = |frame| {
-            let of_frame = observed.pictured.iter().find(|(pictured, _)| *pictured == frame);
-            &of_frame.expect("the same frames were kept and drawn").1
-        };
-        let missed_visible = visible.as_ref().ok().map(|visible| visible.missed(found).percent());
+        let missed_visible = visible.as_ref().ok().map(|visible| visible.missed(&observed.pictured).percent());
         let (counted, missed) = (observed.counted, observed.missed);
         VariantResult { variant, counted, median_us, speed_up: medians[0] / median_us, missed, missed_visible }
     });
@@ -218,26 +215,30 @@ fn measure_mesh(
 /// Flies the frames and judges them. The first flier is brute force, whose answers are the truth.
 fn observe(
     flier: &mut Flier,
-    views: &[Viewpoint],
-    pictured: &[u32],
+    frames: &[Frame],
+    pictured: &[usize],
     truth: &mut Truth<'_>,
     progress: &dyn Progress,
 ) -> Result<Observed, Cancelled> {
     let mut observed = Observed { counted: Counted::default(), missed: Missed::default(), pictured: Vec::new() };
     let mut edges = SilhouetteEdges::default();
-    for (frame, view) in (0_u32..).zip(views) {
+    let mut measured = 0;
+    for frame in frames {
         progress.check()?;
-        flier.frame(view);
-        let Some(measured) = frame.checked_sub(1) else { continue };
+        flier.frame(&frame.view);
+        if !frame.is_measured {
+            continue;
+        }
         if let Flier::BruteForce(brute_force) = &*flier {
             truth.frames.push(brute_force.loops().clone());
         }
         observed.counted.count(flier, truth.mesh.mesh.mesh().face_count());
         flier.edges(truth.topology, &mut edges);
-        truth.judge(measured as usize, &edges, &mut observed.missed);
-        if pictured.contains(&frame) {
-            observed.pictured.push((frame, edges.clone()));
+        truth.judge(measured, &edges, &mut observed.missed);
+        if pictured.contains(&measured) {
+            observed.pictured.push(edges.clone());
         }
+        measured += 1;
     }
     Ok(observed)
 }

@@ -68,7 +68,7 @@ fn of_variant(
         Figure {
             paper: speed_up,
             ours: result.counted.speed_up(),
-            note: format!("faces of the mesh over distinct faces evaluated a frame{counted_note}"),
+            note: format!("faces of the mesh over faces evaluated a frame{counted_note}"),
             ..figure(row.clone(), COUNTED, "")
         },
         Figure {

@@ -21,7 +21,8 @@ pub const COLUMNS: [Column; 8] = [
     Column {
         title: "counted",
         unit: "×",
-        meaning: "faces of the mesh over distinct faces evaluated in a frame; the same on every machine",
+        meaning: "faces of the mesh over faces evaluated in a frame, the same on every machine; methods of today may count a \
+                  face twice",
     },
     Column { title: "wall", unit: "×", meaning: "Hall's brute force's time over this one's, in the same run" },
     Column { title: "time", unit: "µs", meaning: "median time of a frame" },

@@ -166,7 +166,7 @@ impl Flier {
         }
     }
 
-    /// Distinct faces that the last frame evaluated.
+    /// Faces that the last frame evaluated; distinct ones for Hall's methods.
     pub fn faces_evaluated(&self) -> u64 {
         match self {
             Self::BruteForce(brute_force) => brute_force.stats().faces_evaluated,

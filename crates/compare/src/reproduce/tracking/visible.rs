@@ -1,6 +1,6 @@
 //! What a frame misses of the silhouette that can be seen: length in pixels, hidden parts left out.
 
-use super::path::Path;
+use super::path::{Frame, Path};
 use super::recall::Share;
 use crate::record::Profile;
 use crate::truth::TrueLines;
@@ -25,16 +25,16 @@ pub enum VisibleError {
 /// The visible lines of some frames: the [truth](crate::truth), decided by depth pictures.
 #[derive(Debug)]
 pub struct VisibleFrames {
-    lines: Vec<(u32, TrueLines)>,
+    lines: Vec<TrueLines>,
 }
 
-/// The frames of a path whose visible lines are asked for: evenly spread.
-pub fn pictured_frames(profile: Profile, frames: u32) -> Vec<u32> {
+/// Which of `measured` frames are asked for their visible lines: some, evenly spread.
+pub fn pictured_frames(profile: Profile, measured: usize) -> Vec<usize> {
     let views = match profile {
         Profile::Quick => 4,
         Profile::Full => 12,
     };
-    (0..views).map(|view| (2 * view + 1) * frames / (2 * views)).collect()
+    (0..views).map(|view| (2 * view + 1) * measured / (2 * views)).collect()
 }
 
 impl VisibleFrames {
@@ -46,32 +46,27 @@ impl VisibleFrames {
         gpu: &Gpu,
         mesh: &Arc<PreparedMesh>,
         path: &Path,
-        frames: &[u32],
+        frames: &[Frame],
         size: [u32; 2],
         progress: &dyn Progress,
     ) -> Result<Self, VisibleError> {
         let mut finder = TruthFinder::new(gpu, mesh, DEFAULT_SUPERSAMPLING, progress)?;
         let mut lines = Vec::with_capacity(frames.len());
-        for &frame in frames {
-            let truth = finder.find(gpu, &path.camera(frame, size)?)?;
-            lines.push((frame, truth.lines));
+        for frame in frames {
+            lines.push(finder.find(gpu, &path.camera(frame, size)?)?.lines);
         }
         Ok(Self { lines })
     }
 
-    /// Share of the visible length that was missed, where `found` yields the edges found in a frame.
-    pub fn missed<'a>(&self, found: impl Fn(u32) -> &'a SilhouetteEdges) -> Share {
+    /// Share of the visible length that was missed by who found these edges, frame by frame.
+    pub fn missed(&self, found: &[SilhouetteEdges]) -> Share {
         let mut share = Share::default();
-        for (frame, lines) in &self.lines {
-            count(lines, found(*frame), &mut share);
+        for (lines, found) in self.lines.iter().zip(found) {
+            for sample in &lines.samples {
+                share.add(sample.length_px, found.contains(sample.edge));
+            }
         }
         share
-    }
-}
-
-fn count(lines: &TrueLines, found: &SilhouetteEdges, share: &mut Share) {
-    for sample in &lines.samples {
-        share.add(sample.length_px, found.contains(sample.edge));
     }
 }
 
@@ -85,7 +80,7 @@ mod tests {
     #[test]
     fn frames_are_spread_and_within_the_path() {
         assert_eq!(pictured_frames(Profile::Quick, 120), [15, 45, 75, 105]);
-        for frames in [1, 2, 500] {
+        for frames in [1, 2, 504] {
             assert!(pictured_frames(Profile::Full, frames).iter().all(|&frame| frame < frames));
         }
     }
@@ -99,7 +94,7 @@ mod tests {
         let missed = |found: &[u32]| {
             let mut edges = SilhouetteEdges::default();
             edges.refill(found.iter().copied().map(EdgeId::new));
-            VisibleFrames { lines: vec![(0, lines.clone())] }.missed(|_| &edges).percent()
+            VisibleFrames { lines: vec![lines.clone()] }.missed(&[edges]).percent()
         };
         assert_eq!((missed(&[3, 5]), missed(&[])), (0.0, 100.0));
         assert!((missed(&[5]) - 100.0 / 3.0).abs() < 1e-12 && (missed(&[3, 9]) - 200.0 / 3.0).abs() < 1e-12);
