@@ -10,15 +10,15 @@ use svg::node::element::{Group, Polyline, Text};
 /// Panels side by side.
 const PER_ROW: usize = 3;
 
-/// Size of a panel with its axes' words, in pixels.
+/// Size of a panel with its axes' words, in pixels; one alone is as wide as two.
 const PANEL: [f64; 2] = [420.0, 420.0];
 
 /// Height of the legend above the panels.
 const LEGEND: f64 = 76.0;
 
-/// Where the plot is in its panel: left, right, top, bottom.
+/// Where the plot is in its panel: left, right of the panel's end, top, bottom.
 const LEFT: f64 = 64.0;
-const RIGHT: f64 = 404.0;
+const RIGHT_MARGIN: f64 = 16.0;
 const TOP: f64 = 36.0;
 const BOTTOM: f64 = 364.0;
 
@@ -116,6 +116,7 @@ impl Family {
             Self::Single => turn(4, quarter, 6.0),
             Self::Exact => turn(4, 0.0, 7.0),
             Self::Budget => turn(3, std::f64::consts::PI, 6.5),
+            Self::Today("cluster-cones", _) => turn(6, 0.0, 6.0),
             Self::Today(..) => turn(3, 0.0, 6.5),
         }
     }
@@ -133,9 +134,11 @@ pub fn trade(reproduction: &Reproduction) -> String {
     let rows = meshes.len().div_ceil(PER_ROW).max(1);
     let width = (PANEL[0] * columns as f64).max(2.0 * PANEL[0]);
     let mut document = paper([width, LEGEND + PANEL[1] * rows as f64]).add(legend(width));
+    let panel_width = width / columns as f64;
     for (index, mesh) in meshes.iter().enumerate() {
-        let at = [PANEL[0] * (index % PER_ROW) as f64, LEGEND + PANEL[1] * (index / PER_ROW) as f64];
-        document = document.add(panel(mesh).set("transform", format!("translate({} {})", at[0], at[1])));
+        let at = [panel_width * (index % PER_ROW) as f64, LEGEND + PANEL[1] * (index / PER_ROW) as f64];
+        document = document
+            .add(panel(mesh, panel_width - RIGHT_MARGIN).set("transform", format!("translate({} {})", at[0], at[1])));
     }
     format!("{document}\n")
 }
@@ -172,19 +175,21 @@ fn legend(width: f64) -> Group {
 struct ShareAxis {
     end: f64,
     step: f64,
+    /// Right end of the plot in pixels.
+    right: f64,
 }
 
 impl ShareAxis {
-    fn new(shares: impl Iterator<Item = f64>) -> Self {
+    fn new(shares: impl Iterator<Item = f64>, right: f64) -> Self {
         let largest = shares.fold(0.0, f64::max);
         let steps = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
         let step = steps.into_iter().find(|step| largest <= 5.0 * step).unwrap_or(20.0);
-        Self { end: (largest / step).ceil().max(1.0) * step, step }
+        Self { end: (largest / step).ceil().max(1.0) * step, step, right }
     }
 
     /// Nothing missed is a little right of the left end, so that marks stand clear of it.
     fn pixel(&self, share: f64) -> f64 {
-        rounded(LEFT + 16.0 + share / self.end * (RIGHT - LEFT - 44.0))
+        rounded(LEFT + 16.0 + share / self.end * (self.right - LEFT - 44.0))
     }
 
     fn ticks(&self) -> impl Iterator<Item = f64> {
@@ -193,18 +198,21 @@ impl ShareAxis {
     }
 }
 
-fn panel(mesh: &MeshResult) -> Group {
+fn panel(mesh: &MeshResult, right: f64) -> Group {
     let share = |result: &VariantResult| result.missed.length.percent();
-    let x = ShareAxis::new(mesh.variants.iter().map(share));
+    let x = ShareAxis::new(mesh.variants.iter().map(share), right);
     let y = LogAxis::around(mesh.variants.iter().map(|result| result.median_us), BOTTOM..TOP);
     let at = |result: &VariantResult| [x.pixel(share(result)), y.pixel(result.median_us)];
 
     let mut group = Group::new().add(grid(&x, &y));
     let title = format!("{}, {} faces", mesh.name, mesh.faces);
     group = group.add(text(title, [LEFT, TOP - 14.0], "start").set("fill", INK).set("font-weight", 600));
+    let mut taken: Vec<Extent> = Vec::new();
     for family in [Family::Levels, Family::Single] {
         let members = mesh.variants.iter().filter(|result| Family::of(result.variant) == family);
-        let points: Vec<String> = members.map(at).map(|[x, y]| format!("{x},{y}")).collect();
+        let corners: Vec<[f64; 2]> = members.map(at).collect();
+        taken.extend(corners.windows(2).flat_map(|ends| Extent::along(ends[0], ends[1])));
+        let points: Vec<String> = corners.iter().map(|[x, y]| format!("{x},{y}")).collect();
         let way = Polyline::new().set("points", points.join(" ")).set("fill", "none");
         group = group.add(way.set("stroke", family.color()).set("stroke-width", 1.5));
     }
@@ -212,8 +220,7 @@ fn panel(mesh: &MeshResult) -> Group {
         group = group.add(mark(Family::of(result.variant), at(result)));
     }
     let marks: Vec<[f64; 2]> = mesh.variants.iter().map(at).collect();
-    let mut taken: Vec<Extent> =
-        marks.iter().map(|&[x, y]| Extent { from: [x - 6.0, y - 6.0], to: [x + 6.0, y + 6.0] }).collect();
+    taken.extend(marks.iter().map(|&[x, y]| Extent { from: [x - 6.0, y - 6.0], to: [x + 6.0, y + 6.0] }));
     for (result, mark) in mesh.variants.iter().zip(marks) {
         let Some(label) = level_label(result.variant) else { continue };
         let place = Extent::free_beside(mark, &label, &taken);
@@ -254,13 +261,27 @@ impl Extent {
         let places = [
             place(x + 9.0, y - half),
             place(x - 9.0 - width, y - half),
-            place(middle, y - 9.0 - height),
             place(middle, y + 8.0),
-            place(x + 9.0, y - 7.0 - height),
-            place(x + 9.0, y + 6.0),
+            place(middle, y - 9.0 - height),
+            place(x - 5.0 - width, y + 6.0),
+            place(x + 6.0, y - 6.0 - height),
+            place(x + 6.0, y + 6.0),
+            place(x - 5.0 - width, y - 6.0 - height),
+            place(x - 9.0 - width, y + 14.0),
+            place(x + 9.0, y - 14.0 - height),
         ];
         let is_free = |place: &&Self| place.from[0] > LEFT && !taken.iter().any(|other| place.overlaps(other));
         *places.iter().find(is_free).unwrap_or(&places[0])
+    }
+
+    /// What a straight line takes, bit by bit.
+    fn along([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> impl Iterator<Item = Self> {
+        let steps = ((to_x - x).hypot(to_y - y) / 3.0).ceil().max(1.0);
+        (0..=steps as u32).map(move |step| {
+            let share = f64::from(step) / steps;
+            let [x, y] = [x + share * (to_x - x), y + share * (to_y - y)];
+            Self { from: [x - 1.0, y - 1.0], to: [x + 1.0, y + 1.0] }
+        })
     }
 
     fn overlaps(&self, other: &Self) -> bool {
@@ -273,7 +294,7 @@ fn grid(x: &ShareAxis, y: &LogAxis) -> Group {
     for (value, label) in y.ticks() {
         let at = y.pixel(value);
         let stroke = if label.is_some() { GRID } else { FAINT_GRID };
-        group = group.add(line([LEFT, at], [RIGHT, at]).set("stroke", stroke));
+        group = group.add(line([LEFT, at], [x.right, at]).set("stroke", stroke));
         if let Some(label) = label {
             group = group.add(text(label, [LEFT - 8.0, at + 4.0], "end"));
         }
@@ -284,7 +305,7 @@ fn grid(x: &ShareAxis, y: &LogAxis) -> Group {
         let label = if x.step < 1.0 { format!("{value:.1}") } else { format!("{value:.0}") };
         group = group.add(text(label, [at, BOTTOM + 20.0], "middle"));
     }
-    let middle = [(LEFT + RIGHT) * 0.5, (TOP + BOTTOM) * 0.5];
+    let middle = [(LEFT + x.right) * 0.5, (TOP + BOTTOM) * 0.5];
     let turned = format!("rotate(-90 16 {})", middle[1]);
     group.add(text("length of silhouette missed in %", [middle[0], BOTTOM + 42.0], "middle").set("fill", INK)).add(
         text("median time of a frame in µs", [16.0, middle[1]], "middle").set("fill", INK).set("transform", turned),
@@ -325,9 +346,9 @@ mod tests {
     #[test]
     fn shares_have_round_steps_from_nothing() {
         for (largest, end, count) in [(0.0, 0.1, 2), (0.43, 0.5, 6), (7.9, 8.0, 5), (28.0, 30.0, 4), (93.0, 100.0, 6)] {
-            let axis = ShareAxis::new([0.0, largest].into_iter());
+            let axis = ShareAxis::new([0.0, largest].into_iter(), 400.0);
             assert!((axis.end - end).abs() < 1e-9 && axis.ticks().count() == count, "{largest}: {}", axis.end);
-            assert!(axis.pixel(largest) <= RIGHT && axis.pixel(0.0) > LEFT);
+            assert!(axis.pixel(largest) <= 400.0 && axis.pixel(0.0) > LEFT);
         }
     }
 
@@ -336,5 +357,8 @@ mod tests {
         let first = Extent::free_beside([200.0, 100.0], "0.1", &[]);
         let second = Extent::free_beside([200.0, 100.0], "0.1", &[first]);
         assert!(!second.overlaps(&first) && first.overlaps(&first));
+        let line: Vec<Extent> = Extent::along([200.0, 100.0], [300.0, 100.0]).collect();
+        let beside = Extent::free_beside([200.0, 100.0], "0.1", &line);
+        assert!(line.iter().all(|bit| !beside.overlaps(bit)) && line.iter().any(|bit| first.overlaps(bit)));
     }
 }

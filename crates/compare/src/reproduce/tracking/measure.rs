@@ -171,7 +171,7 @@ fn measure_mesh(
     let pictured = pictured_frames(profile, measured.len());
 
     let variants = Variant::all();
-    progress.stage(&format!("{name}: flight"), 2 * variants.len() as u64);
+    progress.stage(&format!("{name}: flight"), variants.len() as u64);
     let mut truth = Truth { mesh: named, topology: table.topology(), frames: Vec::new() };
     let (mut fliers, mut states, mut observed) = (Vec::new(), Vec::new(), Vec::new());
     for &variant in &variants {
@@ -182,7 +182,7 @@ fn measure_mesh(
         states.push(flier.state());
         observed.push(observe(&mut flier, &frames, &pictured, &mut truth, progress)?);
         fliers.push(flier);
-        progress.advance(2);
+        progress.advance(1);
     }
     progress.stage(&format!("{name}: time"), u64::from(super::timed::ROUNDS) * variants.len() as u64);
     let times_us = time_frames(&mut fliers, &states, &frames, progress)?;
