@@ -22,6 +22,9 @@ const RIGHT_MARGIN: f64 = 16.0;
 const TOP: f64 = 36.0;
 const BOTTOM: f64 = 364.0;
 
+/// Marks nearer to each other than this, in pixels, share their words.
+const NEAR: f64 = 5.0;
+
 /// Height of a line of small words, and the width of one of their letters on the mean.
 const SMALL: [f64; 2] = [12.0, 6.5];
 
@@ -161,7 +164,7 @@ fn small(words: impl Into<String>, at: [f64; 2], anchor: &str) -> Text {
 }
 
 fn legend(width: f64) -> Group {
-    let column = (width - 2.0 * 24.0) / if width > 1000.0 { 5.0 } else { 4.0 };
+    let column = (width - 2.0 * 24.0) / if width > 1000.0 { 5.0 } else { 3.0 };
     let columns = ((width - 48.0) / column).round() as usize;
     let mut group = Group::new();
     for (index, &family) in FAMILIES.iter().enumerate() {
@@ -208,28 +211,48 @@ fn panel(mesh: &MeshResult, right: f64) -> Group {
     let title = format!("{}, {} faces", mesh.name, mesh.faces);
     group = group.add(text(title, [LEFT, TOP - 14.0], "start").set("fill", INK).set("font-weight", 600));
     let mut taken: Vec<Extent> = Vec::new();
-    for family in [Family::Levels, Family::Single] {
-        let members = mesh.variants.iter().filter(|result| Family::of(result.variant) == family);
-        let corners: Vec<[f64; 2]> = members.map(at).collect();
-        taken.extend(corners.windows(2).flat_map(|ends| Extent::along(ends[0], ends[1])));
-        let points: Vec<String> = corners.iter().map(|[x, y]| format!("{x},{y}")).collect();
-        let way = Polyline::new().set("points", points.join(" ")).set("fill", "none");
-        group = group.add(way.set("stroke", family.color()).set("stroke-width", 1.5));
-    }
+    let levels = mesh.variants.iter().filter(|result| Family::of(result.variant) == Family::Levels);
+    let corners: Vec<[f64; 2]> = levels.map(at).collect();
+    taken.extend(corners.windows(2).flat_map(|ends| Extent::along(ends[0], ends[1])));
+    let points: Vec<String> = corners.iter().map(|[x, y]| format!("{x},{y}")).collect();
+    let way = Polyline::new().set("points", points.join(" ")).set("fill", "none");
+    group = group.add(way.set("stroke", Family::Levels.color()).set("stroke-width", 1.5));
     for result in &mesh.variants {
         group = group.add(mark(Family::of(result.variant), at(result)));
     }
     let marks: Vec<[f64; 2]> = mesh.variants.iter().map(at).collect();
     taken.extend(marks.iter().map(|&[x, y]| Extent { from: [x - 6.0, y - 6.0], to: [x + 6.0, y + 6.0] }));
-    for (result, mark) in mesh.variants.iter().zip(marks) {
-        let Some(label) = level_label(result.variant) else { continue };
+    for Label { family, mark, label } in labels(&mesh.variants, &marks) {
         let place = Extent::free_beside(mark, &label, &taken);
-        let color = Family::of(result.variant).color();
+        let color = family.color();
         let words = small(label, [place.from[0], place.to[1] - 3.0], "start");
         group = group.add(words.set("fill", color));
         taken.push(place);
     }
     group
+}
+
+/// Words for a mark, or for several that are as good as one.
+#[derive(Debug, Clone, PartialEq)]
+struct Label {
+    family: Family,
+    mark: [f64; 2],
+    label: String,
+}
+
+/// The levels of all variants that have one.
+fn labels(variants: &[VariantResult], marks: &[[f64; 2]]) -> Vec<Label> {
+    let mut labels: Vec<Label> = Vec::new();
+    for (result, &mark) in variants.iter().zip(marks) {
+        let Some(label) = level_label(result.variant) else { continue };
+        let family = Family::of(result.variant);
+        let is_near = |last: &Label| (last.mark[0] - mark[0]).hypot(last.mark[1] - mark[1]) < NEAR;
+        match labels.last_mut().filter(|last| last.family == family && is_near(last)) {
+            Some(last) => last.label = format!("{}, {label}", last.label),
+            None => labels.push(Label { family, mark, label }),
+        }
+    }
+    labels
 }
 
 /// The level, for variants that have one.
@@ -321,8 +344,8 @@ mod tests {
     fn every_variant_is_marked_and_every_mark_explained() {
         let chart = trade(reproduction());
         let variants = Variant::all();
-        let ways = 2;
-        let marks = reproduction().meshes.len() * (variants.len() + ways) + FAMILIES.len();
+        let way = 1;
+        let marks = reproduction().meshes.len() * (variants.len() + way) + FAMILIES.len();
         assert_eq!(chart.matches("<polyline").count(), marks);
         assert!(variants.iter().all(|&variant| FAMILIES.contains(&Family::of(variant))));
         for family in FAMILIES {
@@ -350,6 +373,15 @@ mod tests {
             assert!((axis.end - end).abs() < 1e-9 && axis.ticks().count() == count, "{largest}: {}", axis.end);
             assert!(axis.pixel(largest) <= 400.0 && axis.pixel(0.0) > LEFT);
         }
+    }
+
+    #[test]
+    fn marks_that_are_as_good_as_one_share_their_words() {
+        let variants = &reproduction().meshes[0].variants[1..4];
+        let texts =
+            |marks: [[f64; 2]; 3]| labels(variants, &marks).into_iter().map(|label| label.label).collect::<Vec<_>>();
+        assert_eq!(texts([[0.0, 0.0], [3.0, 0.0], [90.0, 0.0]]), ["0, 0.01", "0.1"]);
+        assert_eq!(texts([[0.0, 0.0], [0.0, 30.0], [0.0, 60.0]]), ["0", "0.01", "0.1"]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 /// How often each variant flies the path.
-pub const ROUNDS: u32 = 3;
+pub const ROUNDS: u32 = 5;
 
 /// Least microseconds of each measured frame, for each flier, which first returns to its state.
 ///
