@@ -182,7 +182,7 @@ impl Method for ExactTracking {
         summary: "Keeps the last view's loops but for those that a turned face touches; knows by the eye's path which \
                   faces may have turned; exact.",
         exact: true,
-        needs: &[ConnectivityTable::NAME, Topology::NAME],
+        needs: &[ConnectivityTable::NAME],
         options: &[],
         ..Tracking::INFO
     };
