@@ -19,6 +19,9 @@ fn check_loops(mesh: &TriangleMesh, topology: &Topology, facings: &FaceFacings, 
     let edges = SilhouetteEdges::of(topology, facings);
     let mut loops = SilhouetteLoops::default();
     LoopWalker::default().walk(topology, facings, &edges, &mut loops);
+    let mut by_edges = SilhouetteLoops::default();
+    LoopWalker::default().walk_complete(topology, |face| facings.is_front(face), &edges, &mut by_edges);
+    assert_eq!(by_edges, loops, "by the bit of each edge as by facings");
     let expected: BTreeSet<_> = edges
         .iter()
         .flat_map(|edge| topology.half_edges(edge).iter().copied())

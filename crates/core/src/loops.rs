@@ -137,9 +137,6 @@ pub fn start_vertex(mesh: &TriangleMesh, half_edge: HalfEdgeId) -> VertexId {
 }
 
 /// Forms loops; keeps its scratch memory from call to call.
-///
-/// Inside a fan of front faces, an edge that is no silhouette edge has front faces on all sides. So a walk needs to know
-/// the edges, a bit each, and asks for facings only where a loop begins.
 #[derive(Debug, Clone, Default)]
 pub struct LoopWalker {
     /// A bit an edge; all zero between calls.
@@ -149,14 +146,14 @@ pub struct LoopWalker {
 }
 
 impl LoopWalker {
-    /// Replaces `out` by the loops that `edges`, the silhouette edges of `facings`, form.
+    /// Replaces `out` by the loops through `edges`, which are silhouette edges of `facings`: all of them, or those that a
+    /// method found that may miss loops.
     ///
     /// O(S + faces in the fans around silhouette vertices), times log S where these hold non-manifold edges; no
     /// allocation once memory has grown.
     ///
     /// # Panics
-    /// If `edges` and `facings` do not belong to `topology`. If they do not belong to each other, there may be a panic,
-    /// and the loops are of no use.
+    /// If `edges` and `facings` do not belong to `topology`.
     pub fn walk(
         &mut self,
         topology: &Topology,
@@ -164,27 +161,41 @@ impl LoopWalker {
         edges: &SilhouetteEdges,
         out: &mut SilhouetteLoops,
     ) {
-        self.walk_where(topology, |face| facings.is_front(face), edges, out);
+        out.clear();
+        self.visited.resize(topology.half_edge_count().div_ceil(64), 0);
+        let mut is_front = |face| facings.is_front(face);
+        for &start in edges.iter().flat_map(|edge| topology.half_edges(edge)) {
+            if facings.is_front(start.face()) && !is_set(&self.visited, start.index()) {
+                self.follow(start, out, |_, half_edge| {
+                    let is_silhouette = |_: &mut _, edge| edges.contains(edge);
+                    next_silhouette_half_edge(topology, &mut is_front, is_silhouette, half_edge)
+                });
+            }
+        }
+        self.forget(out);
     }
 
-    /// [`walk`](Self::walk) for facings that are looked up, or found, one by one: those of one or two faces are asked for
-    /// where a loop begins, and those of all faces at non-manifold silhouette edges.
+    /// [`walk`](Self::walk) where `edges` are *all* silhouette edges of a view, and facings are looked up, or found, one by
+    /// one. Inside a fan of front faces an edge that is no silhouette edge has front faces on all sides, so that a bit an
+    /// edge leads the walk, and facings are asked for where a loop begins: of one or two faces, and of all faces at a
+    /// non-manifold silhouette edge.
     ///
     /// # Panics
-    /// As [`walk`](Self::walk).
-    pub fn walk_where(
+    /// If `edges` are not all the silhouette edges of these facings on `topology`, which may not be
+    /// [severed](Topology::severed). The walker is of no use after a panic.
+    pub fn walk_complete(
         &mut self,
         topology: &Topology,
         mut is_front: impl FnMut(FaceId) -> bool,
         edges: &SilhouetteEdges,
         out: &mut SilhouetteLoops,
     ) {
+        out.clear();
         self.silhouette.resize(topology.edge_count().div_ceil(64), 0);
         self.visited.resize(topology.half_edge_count().div_ceil(64), 0);
         for edge in edges.iter() {
             set(&mut self.silhouette, edge.index());
         }
-        out.clear();
         for edge in edges.iter() {
             let sides = topology.half_edges(edge);
             // Of two sides one is front, so that one visited leaves nothing to begin at.
@@ -193,25 +204,28 @@ impl LoopWalker {
             }
             for &side in sides {
                 if !is_set(&self.visited, side.index()) && is_front(side.face()) {
-                    self.walk_from(topology, side, out);
+                    self.follow(side, out, |walker, half_edge| walker.next(topology, half_edge));
                 }
             }
         }
         for edge in edges.iter() {
             self.silhouette[edge.index() / 64] = 0;
         }
-        for half_edge in &out.half_edges {
-            self.visited[half_edge.index() / 64] = 0;
-        }
+        self.forget(out);
     }
 
-    fn walk_from(&mut self, topology: &Topology, start: HalfEdgeId, out: &mut SilhouetteLoops) {
+    /// Appends the loop through a silhouette half-edge. A half-edge that comes again is the start.
+    fn follow(
+        &mut self,
+        start: HalfEdgeId,
+        out: &mut SilhouetteLoops,
+        mut next: impl FnMut(&Self, HalfEdgeId) -> HalfEdgeId,
+    ) {
         let mut half_edge = start;
-        // A half-edge that comes again is the start, unless edges and facings do not belong to each other.
         while !is_set(&self.visited, half_edge.index()) {
             set(&mut self.visited, half_edge.index());
             out.half_edges.push(half_edge);
-            half_edge = self.next(topology, half_edge);
+            half_edge = next(self, half_edge);
         }
         out.ends.push(out.half_edges.len());
     }
@@ -229,6 +243,12 @@ impl LoopWalker {
             assert!(candidate != half_edge.next_in_face(), "around a silhouette vertex there are silhouette edges");
         }
         candidate
+    }
+
+    fn forget(&mut self, out: &SilhouetteLoops) {
+        for half_edge in &out.half_edges {
+            self.visited[half_edge.index() / 64] = 0;
+        }
     }
 
     /// Bytes held.
@@ -297,7 +317,7 @@ mod tests {
                 looks.set(looks.get() + 1);
                 true
             };
-            LoopWalker::default().walk_where(&topology, &mut is_front, &edges, &mut loops);
+            LoopWalker::default().walk_complete(&topology, &mut is_front, &edges, &mut loops);
             assert_eq!((loops.half_edges().len(), looks.take()), (2 * pages as usize, loops.len()), "a look a loop");
             for (index, &half_edge) in loops.half_edges().iter().enumerate() {
                 let is_silhouette = |_: &mut _, edge| edges.contains(edge);
@@ -308,5 +328,23 @@ mod tests {
             looks.get()
         };
         assert_eq!(looks(2000), 10 * looks(200));
+    }
+
+    /// A book of which one page is back: whoever found only the loop of one front page has the spine, but not the edges of
+    /// the others. The walk asks facings, so it follows theirs all the same.
+    #[test]
+    fn part_of_the_edges_is_enough_where_facings_are_known() {
+        let positions = (0..7).map(|i| Vec3::new(i as f32, (i * i % 7) as f32, 1.0)).collect();
+        let mesh = TriangleMesh::new(positions, (0..5).map(|page| [0, 1, page + 2]).collect()).unwrap();
+        let topology = Topology::new(&mesh);
+        let facings = FaceFacings::from_fn(mesh.face_count(), |face| face.get() != 2);
+        let of_first_page = (0..3).map(|slot| topology.edge_of(HalfEdgeId::of(FaceId::new(0), slot)));
+        let (mut some, mut loops) = (SilhouetteEdges::default(), SilhouetteLoops::default());
+        some.refill(of_first_page);
+        LoopWalker::default().walk(&topology, &facings, &some, &mut loops);
+        assert_eq!(loops.len(), 4, "a loop a front page");
+        let (all, mut whole) = (SilhouetteEdges::of(&topology, &facings), SilhouetteLoops::default());
+        LoopWalker::default().walk_complete(&topology, |face| facings.is_front(face), &all, &mut whole);
+        assert_eq!(whole, loops);
     }
 }

@@ -35,7 +35,7 @@ use silhouette_core::{
 };
 use std::sync::Arc;
 
-/// Patches that a task takes: about 20 microseconds of work, so that a mesh of a hundred thousand faces stays on one
+/// Patches that a task takes: about 70 microseconds of work, so that a mesh of a hundred thousand faces stays on one
 /// thread and larger ones spread evenly.
 const PATCHES_PER_TASK: usize = 2048;
 

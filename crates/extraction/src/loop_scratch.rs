@@ -26,7 +26,7 @@ impl LoopScratch {
     ) {
         let Self { edges, memo, walker } = self;
         memo.begin_view(topology.half_edge_count() / 3);
-        walker.walk_where(topology, |face| memo.is_front(face, &corners, viewpoint, stats), edges, out);
+        walker.walk_complete(topology, |face| memo.is_front(face, &corners, viewpoint, stats), edges, out);
     }
 
     pub(crate) fn bytes(&self) -> usize {

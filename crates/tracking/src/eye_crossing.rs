@@ -4,7 +4,7 @@
 //! convex body through a face sees a silhouette without any concave edge. The test is sound and cheap: where it says
 //! no, the segment from eye to eye does not meet the surface. It says no if
 //!
-//! 1. the eye did not move; or
+//! 1. neither the eye nor the mesh moved; or
 //! 2. the segment misses the box around the mesh; or
 //! 3. both eyes lie in a ball that is known to be clear of the surface. Such a ball is measured when the test has said
 //!    yes for an eye inside the box, about that eye: O(F), at a time when brute force looks at every face anyway.
@@ -19,28 +19,37 @@ const ROUNDING: f64 = 1e-9;
 
 /// A ball clear of the surface, if one is known.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct ClearBall(Option<(DVec3, f64)>);
+pub(crate) struct ClearBall {
+    ball: Option<(DVec3, f64)>,
+    /// Whether the surface has moved since the last frame.
+    has_moved: bool,
+}
 
 impl ClearBall {
     /// Whether the segment between two eyes may meet the surface inside `bounds`. O(1).
     pub fn may_have_crossed(&self, bounds: [DVec3; 2], before: Vec3, now: Vec3) -> bool {
         let (before, now) = (before.as_dvec3(), now.as_dvec3());
-        before != now && meets_box(bounds, before, now) && !(self.holds(before) && self.holds(now))
+        (before != now || self.has_moved) && meets_box(bounds, before, now) && !(self.holds(before) && self.holds(now))
     }
 
     fn holds(&self, point: DVec3) -> bool {
-        self.0.is_some_and(|(center, radius)| point.distance(center) < radius)
+        self.ball.is_some_and(|(center, radius)| point.distance(center) < radius)
     }
 
     /// Measures the ball about an eye: O(F) if the eye is inside `bounds`, O(1) otherwise, where no ball is needed.
     pub fn measure(&mut self, surface: &Surface, bounds: [DVec3; 2], eye: Vec3) {
         let eye = eye.as_dvec3();
-        self.0 = meets_box(bounds, eye, eye).then(|| (eye, clearance(surface, eye)));
+        self.ball = meets_box(bounds, eye, eye).then(|| (eye, clearance(surface, eye)));
     }
 
     /// Forgets the ball: the surface has moved.
     pub fn forget(&mut self) {
-        self.0 = None;
+        *self = Self { ball: None, has_moved: true };
+    }
+
+    /// Says that a frame has seen the surface where it is.
+    pub fn see(&mut self) {
+        self.has_moved = false;
     }
 }
 

@@ -20,9 +20,8 @@
 //! # When to choose it
 //!
 //! Where the view changes little from frame to frame, and loops are wanted in order. What is found is silhouette, always:
-//! facings are exact, and loops complete. The exact mode misses nothing and takes about as long as tracking at a high
-//! level, so it is the first to try; by level, tracking needs no more memory than its lists and leaves most faces alone at
-//! any step. What is missed then:
+//! facings are exact, and loops complete. The exact mode misses nothing and, at small steps, is faster than tracking at any
+//! level, so it is the first to try. What is missed by level:
 //!
 //! - at level 0 with all edges tested, only what is neither reached from an old edge nor holds a concave edge or a
 //!   border: nothing in all that the tests try, but there is no proof for large steps;
@@ -50,8 +49,8 @@
 //! # Cost
 //!
 //! A tracked frame: O(S + faces walked over + selected concave edges + borders) for S silhouette edges, on one thread,
-//! without allocation; an audited frame O(F), and the exact mode as `exact` says. Preparation: O(F + E + C log C) for C concave edges. Memory: 45 bytes a face,
-//! at most 60 a concave edge, and some 40 a silhouette edge.
+//! without allocation; an audited frame O(F), and the exact mode as `exact` says. Preparation: O(F + E + C log C) for C concave edges. Memory: 45 bytes a face, at
+//! most 60 a concave edge, and some 40 a silhouette edge.
 
 pub mod as_printed;
 pub mod brute_force;

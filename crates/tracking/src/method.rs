@@ -181,10 +181,15 @@ impl Method for ExactTracking {
         name: "tracking-exact",
         summary: "Keeps the last view's loops but for those that a turned face touches; knows by the eye's path which \
                   faces may have turned; exact.",
+        source: Source {
+            authors: "the authors of silhouettes",
+            title: "Exact tracking by certificates (docs/decisions/0004)",
+            venue: "silhouettes",
+            year: 2026,
+        },
         exact: true,
         needs: &[ConnectivityTable::NAME],
         options: &[],
-        ..Tracking::INFO
     };
 
     fn prepare(

@@ -19,7 +19,8 @@ pub enum Accuracy {
     /// As sure as the concavity level makes it (Hall 2003).
     #[default]
     Level,
-    /// Sure: every loop of every frame. Level, tested edges, jump and the start of walks then play no part.
+    /// Sure: every loop of every frame. Level, tested edges, jump, the start of walks and the order of loops
+    /// then play no part.
     Exact,
     /// The level is set while tracking so that about this much is missed; [`TrackingOptions::concavity`] plays no part.
     Budget(ErrorBudget),

@@ -59,12 +59,19 @@ impl Tracker {
         mesh: Arc<TriangleMesh>,
         table: Arc<ConnectivityTable>,
         edges: Arc<TrackedEdges>,
-        options: TrackingOptions,
+        mut options: TrackingOptions,
     ) -> Result<Self, NotTrackable> {
         if options.mesh_policy == MeshPolicy::Refuse && !table.defects().is_empty() {
             return Err(NotTrackable { defects: table.defects().to_vec() });
         }
         let last_bounds = table.bounds();
+        let budget = match options.accuracy {
+            Accuracy::Budget(budget) => Some(BudgetMode::new(budget)),
+            Accuracy::Level | Accuracy::Exact => None,
+        };
+        if let Some(budget) = &budget {
+            options.concavity = budget.level();
+        }
         let mut tracker = Self {
             scene: Scene::new(mesh, table, edges),
             options,
@@ -77,10 +84,7 @@ impl Tracker {
             last_view: None,
             clear_ball: ClearBall::default(),
             exact: ExactMode::default(),
-            budget: match options.accuracy {
-                Accuracy::Budget(budget) => Some(BudgetMode::new(budget)),
-                Accuracy::Level | Accuracy::Exact => None,
-            },
+            budget,
             last_audit: None,
             last_bounds,
         };
@@ -145,7 +149,8 @@ impl Tracker {
             classify_the_rest(&mut faces);
             check_edges(&mut faces, loops, stats);
             let whole = faces.length_of(loops.now.loops.half_edges());
-            let audit = budget.conclude(if whole > 0.0 { (1.0 - tracked / whole).max(0.0) } else { 0.0 });
+            let missed_share = if whole > 0.0 { (1.0 - tracked / whole).max(0.0) } else { 0.0 };
+            let audit = Audit { level: options.concavity, ..budget.conclude(missed_share) };
             stats.audited = true;
             *last_audit = Some(audit);
             if audit.next_level != options.concavity {
@@ -172,7 +177,7 @@ impl Tracker {
             (Viewpoint::Orthographic { toward_viewer: before }, Viewpoint::Orthographic { toward_viewer: now }) => {
                 (before.as_dvec3().normalize_or_zero().distance(now.as_dvec3().normalize_or_zero()), false)
             }
-            _ => (f64::INFINITY, false),
+            _ => (f64::NAN, false),
         };
         // What is not a number is a jump.
         let is_small = turn <= self.options.jump;
@@ -206,6 +211,7 @@ impl Tracker {
         if let (true, Viewpoint::Perspective { eye }) = (needs_ball, *viewpoint) {
             self.clear_ball.measure(&surface, bounds, eye);
         }
+        self.clear_ball.see();
     }
 
     /// Forgets all loops, without events: the next frame is found by brute force, and its loops are new.

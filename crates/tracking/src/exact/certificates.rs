@@ -86,6 +86,10 @@ impl Certificates {
     /// Gives new certificates to the faces that were due: each says how far the eye may travel from here. O(due faces and
     /// their blocks and groups).
     pub fn renew(&mut self, due: &[FaceId], heights: impl Iterator<Item = f64>) {
+        if due.len() == self.expiries.len() {
+            // No certificate of before is left: the path begins anew, so that one long step does not swallow short ones.
+            self.travelled = 0.0;
+        }
         for (face, height) in due.iter().zip(heights) {
             self.expiries[face.index()] = (self.travelled + height).next_down();
         }
@@ -104,7 +108,7 @@ impl Certificates {
     /// Bytes held.
     pub fn bytes(&self) -> usize {
         let values = [&self.expiries, &self.blocks, &self.groups].map(|values| size_of_val(values.as_slice()));
-        values.iter().sum::<usize>() + size_of_val(self.due_blocks.as_slice())
+        values.iter().sum::<usize>() + size_of::<u32>() * self.due_blocks.capacity()
     }
 }
 
@@ -159,6 +163,20 @@ mod tests {
         let points: Vec<f64> = (0..1000).map(f64::from).collect();
         let [looks, misjudged] = looks_and_misjudged(&points, &[1.0; 1000], 1.0);
         assert!((1000..30_000).contains(&looks) && misjudged == 0, "{looks} looks");
+    }
+
+    #[test]
+    fn a_very_long_step_is_forgotten() {
+        let mut certificates = Certificates::default();
+        certificates.forget(100);
+        let mut due = Vec::new();
+        let mut look = |distance| {
+            certificates.travel(distance);
+            certificates.collect_due(&mut due);
+            certificates.renew(&due, due.iter().map(|_| 1.0));
+            due.len()
+        };
+        assert_eq!([0.0, 1e30, 0.1, 0.1, 1e30, 0.1].map(&mut look), [100, 100, 0, 0, 100, 0]);
     }
 
     /// The negative control: certificates that last too long let faces turn unseen.

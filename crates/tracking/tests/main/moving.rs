@@ -1,8 +1,9 @@
-use crate::scenes::{Oracle, Scene, ordered, zoo};
+use crate::scenes::{Oracle, Scene, moved, ordered, together, zoo};
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractsMovingEdges;
 use silhouette_core::method::PositionsError;
-use silhouette_core::{ExtractsEdges, SilhouetteEdges, TriangleMesh, VertexId};
+use silhouette_core::shapes::by_name;
+use silhouette_core::{ExtractsEdges, SilhouetteEdges, TriangleMesh, VertexId, Viewpoint};
 use silhouette_tracking::{BruteForceReason, Tracking, TrackingOptions};
 
 /// A twist that grows with time.
@@ -68,4 +69,23 @@ fn positions_that_do_not_fit_are_refused_and_change_nothing() {
     method.extract_edges(&view, &mut after);
     assert!(!before.is_empty());
     assert_eq!(before, after);
+}
+
+/// A ball moves off an eye that rests inside it: its outline, which holds no concave edge, comes from nowhere.
+#[test]
+fn a_body_that_passes_a_resting_eye_is_noticed() {
+    let ball = by_name("icosphere:3").unwrap();
+    let scene = Scene::new("two balls", together(&[moved(&ball, Vec3::new(6.0, 0.0, 0.0)), ball.clone()]));
+    let mut tracker = scene.tracker(TrackingOptions::default());
+    let view = Viewpoint::Perspective { eye: Vec3::new(0.1, 0.2, 0.05) };
+    assert_eq!(tracker.update(&view).len(), 1, "of the ball around the eye nothing is seen");
+    let first = ball.vertex_count();
+    let positions: Vec<Vec3> = (scene.mesh.positions().iter().enumerate())
+        .map(|(vertex, &p)| if vertex < first { p } else { p + Vec3::new(0.0, 3.0, 0.0) })
+        .collect();
+    tracker.move_mesh(&positions).unwrap();
+    assert_eq!(tracker.update(&view).len(), 2);
+    assert_eq!(tracker.stats().brute_force, Some(BruteForceReason::MayHaveCrossed));
+    tracker.update(&view);
+    assert_eq!(tracker.stats().brute_force, None, "once is enough");
 }
