@@ -183,7 +183,7 @@ impl Method for ExactTracking {
                   faces may have turned; exact.",
         source: Source {
             authors: "the authors of silhouettes",
-            title: "Exact tracking by certificates (docs/decisions/0004)",
+            title: "Exact tracking by certificates",
             venue: "silhouettes",
             year: 2026,
         },
