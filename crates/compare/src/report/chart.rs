@@ -43,7 +43,7 @@ pub fn chart(id: &str, summary: &MeshSummary, color_of: impl Fn(&str) -> &'stati
     for (index, cell) in summary.cells.iter().enumerate() {
         plot.add_trace(
             Scatter::new(x[index].clone(), y[index].clone())
-                .name(label(cell))
+                .name(label(cell, &summary.cells))
                 .mode(Mode::Markers)
                 .hover_info(HoverInfo::Text)
                 .hover_text(&text[index])
@@ -117,8 +117,14 @@ fn axis_title(metric: &MetricSpec) -> String {
     format!("{} in {}", metric.title, metric.unit)
 }
 
-fn label(cell: &CellSummary) -> String {
-    if cell.options.is_empty() { cell.method.clone() } else { format!("{} ({})", cell.method, cell.options) }
+/// The method's name, with its options where another cell has the same: a legend of long lines would take the chart's room.
+fn label(cell: &CellSummary, cells: &[CellSummary]) -> String {
+    let is_alone = cells.iter().filter(|other| other.method == cell.method).count() == 1;
+    if is_alone || cell.options.is_empty() {
+        cell.method.clone()
+    } else {
+        format!("{} ({})", cell.method, cell.options)
+    }
 }
 
 /// The chart library reads labels as a little HTML; names of methods and options hold none of its characters.
