@@ -80,7 +80,6 @@ pub(crate) struct PatchPlanes {
     pub(crate) blocks: Vec<PlaneBlock>,
     /// Lanes that are not back from everywhere.
     pub(crate) open: Vec<u64>,
-    lane_count: u64,
 }
 
 /// Faces and edges in self-contained patches of 64 lanes: the artefact that `brute-force-simd` and `cluster-cones` share.
@@ -127,11 +126,6 @@ impl FacePatches {
     /// Whether the mesh has no face.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
-    }
-
-    /// Number of planes: faces, those in a halo once more for each. The work of one pass over the mesh.
-    pub fn lane_count(&self) -> usize {
-        self.planes.lane_count() as usize
     }
 
     /// Bytes that the lanes and ids of edges take: the edge table proper.
@@ -251,7 +245,7 @@ impl PatchPlanes {
         self.blocks.resize_with(layout.len(), PlaneBlock::default);
         self.open.resize(layout.len(), 0);
         let outputs = self.blocks.par_iter_mut().zip(&mut self.open);
-        let lane_counts = outputs.zip(&layout.lanes).with_min_len(64).map(|((block, open), lanes)| {
+        outputs.zip(&layout.lanes).with_min_len(64).for_each(|((block, open), lanes)| {
             *open = 0;
             for (lane, &face) in lanes.iter().enumerate().filter(|&(_, &face)| face != OUTSIDE) {
                 let corners = triangles[face as usize].map(|vertex| positions[vertex as usize]);
@@ -259,14 +253,7 @@ impl PatchPlanes {
                 *open |= u64::from(plane.is_some()) << lane;
                 block.set(lane, plane.unwrap_or_default());
             }
-            u64::from(open.count_ones())
         });
-        self.lane_count = lane_counts.sum();
-    }
-
-    /// Number of lanes that are not back from everywhere.
-    pub(crate) fn lane_count(&self) -> u64 {
-        self.lane_count
     }
 
     /// The frame of the planes.
