@@ -1,0 +1,46 @@
+//! [`Lines`]: what is found in one view.
+
+use crate::chains::Chains;
+use glam::DVec2;
+use silhouette_core::Camera;
+use std::time::Duration;
+
+/// The lines of one view.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lines {
+    /// The view.
+    pub camera: Camera,
+    /// The lines, ordered by kind, invisibility and object.
+    pub chains: Chains,
+    /// The outermost outline as closed polygons in pixels, to be filled by the even-odd rule; empty unless asked for.
+    pub outline: Vec<Vec<DVec2>>,
+    /// What it cost.
+    pub stats: LineStats,
+}
+
+/// What finding lines cost, stage by stage. Times are wall time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct LineStats {
+    /// Finding the edges to draw and the contours that hide them.
+    pub extract: Duration,
+    /// Projecting, clipping and binning.
+    pub project: Duration,
+    /// Crossings, piercings and the decision of each piece.
+    pub decide: Duration,
+    /// Joining pieces to chains.
+    pub chain: Duration,
+    /// The outline.
+    pub outline: Duration,
+    /// Edges looked at.
+    pub edges: u64,
+    /// Contour edges that may hide something.
+    pub contours: u64,
+    /// Pairs of an edge and a contour tested exactly.
+    pub pairs: u64,
+    /// Places where invisibility may change.
+    pub events: u64,
+    /// Sight lines cast.
+    pub sight_lines: u64,
+    /// Pieces decided.
+    pub pieces: u64,
+}
