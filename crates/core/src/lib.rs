@@ -6,7 +6,7 @@
 //! 2. [`weld`]: merging of coincident vertices, on request only. [`inspect`]: what is wrong with a mesh, with ids.
 //! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh.
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
-//! 5. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
+//! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
 //!
@@ -22,6 +22,7 @@ pub mod load;
 pub mod loops;
 pub mod mesh;
 pub mod method;
+pub mod orientation;
 pub mod prepared;
 pub mod progress;
 pub mod shapes;
