@@ -1,8 +1,8 @@
 //! [`Chains`]: the lines of a view as connected polylines, each with one kind and one invisibility.
 
 use crate::kind::LineKind;
-use glam::{DVec2, DVec3};
 use silhouette_core::EdgeId;
+use silhouette_core::glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// What a segment of a chain lies on.

@@ -1,8 +1,8 @@
 //! [`Lines`]: what is found in one view.
 
 use crate::chains::Chains;
-use glam::DVec2;
 use silhouette_core::Camera;
+use silhouette_core::glam::DVec2;
 use std::time::Duration;
 
 /// The lines of one view.

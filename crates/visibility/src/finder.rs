@@ -1,0 +1,174 @@
+//! [`LineFinder`]: the steps in order.
+
+use crate::contours::{Contour, ContourFinder, UnpairedEdges};
+use crate::face_tree::FaceTree;
+use crate::frame::{ClippedEdge, PictureFrame};
+use crate::join::join;
+use crate::lines::{LineStats, Lines};
+use crate::options::LineOptions;
+use crate::picture_grid::PictureGrid;
+use crate::pieces::{CutterScratch, Piece, PieceCutter, PieceStats};
+use crate::scene::LineScene;
+use crate::select::{FeatureEdges, mesh_strokes};
+use crate::sight::Sight;
+use rayon::prelude::*;
+use silhouette_core::{Camera, Cancelled, FaceFacings, Progress, SilhouetteEdges, Topology};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+/// Pairs of edge and contour that one view may test: about a minute of work on one core. A picture in which more pass
+/// through the same cells is a tangle that no line drawing shows.
+pub const MAX_PAIRS: u64 = 2_000_000_000;
+
+/// Strokes that a task takes: some 0.1 ms of work.
+const STROKES_PER_TASK: usize = 64;
+
+/// Why there are no lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LineError {
+    /// The work was stopped by its [`Progress`].
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// Too many edges lie over each other in this view.
+    #[error(
+        "more than {MAX_PAIRS} pairs of edges lie over each other in this view; choose another view or fewer kinds of edges"
+    )]
+    TooCrowded,
+}
+
+/// Finds the lines of any view of a scene.
+pub struct LineFinder {
+    scene: LineScene,
+    topology: Arc<Topology>,
+    tree: Arc<FaceTree>,
+    unpaired: Arc<UnpairedEdges>,
+    /// Largest absolute coordinate.
+    reach: f64,
+    facings: FaceFacings,
+    silhouette: SilhouetteEdges,
+    features: Option<(LineOptions, FeatureEdges)>,
+}
+
+/// Who asks for artefacts.
+const NAME: &str = "visible-lines";
+
+impl LineFinder {
+    /// Prepares a scene: topology and face tree. O(F log F).
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(scene: LineScene, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        let mesh = scene.mesh();
+        let (topology, tree) = rayon::join(|| mesh.artefact(NAME, progress), || mesh.artefact(NAME, progress));
+        let (topology, tree) = (topology?, tree?);
+        let unpaired = mesh.artefact(NAME, progress)?;
+        let reach = mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element());
+        Ok(Self {
+            topology,
+            tree,
+            unpaired,
+            reach,
+            facings: FaceFacings::default(),
+            silhouette: SilhouetteEdges::default(),
+            features: None,
+            scene,
+        })
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &LineScene {
+        &self.scene
+    }
+
+    /// The lines of a view.
+    ///
+    /// # Errors
+    /// [`LineError`].
+    pub fn find(
+        &mut self,
+        camera: &Camera,
+        options: &LineOptions,
+        progress: &dyn Progress,
+    ) -> Result<Lines, LineError> {
+        let mut stats = LineStats::default();
+        let started = Instant::now();
+        progress.check()?;
+        let viewpoint = camera.viewpoint();
+        let mesh = self.scene.mesh().mesh();
+        self.facings.classify(mesh, &viewpoint);
+        self.silhouette = SilhouetteEdges::of(&self.topology, &self.facings);
+        if self.features.as_ref().is_none_or(|(of, _)| of != options) {
+            self.features = Some((options.clone(), FeatureEdges::new(&self.scene, &self.topology, options)));
+        }
+        let finder = ContourFinder { mesh, topology: &self.topology, viewpoint };
+        let contours = finder.find(&self.silhouette, &self.unpaired);
+        let no_features = FeatureEdges::default();
+        let features = self.features.as_ref().map_or(&no_features, |(_, features)| features);
+        let strokes = mesh_strokes(&self.scene, &finder, &self.silhouette, features, options);
+        stats.extract = started.elapsed();
+
+        let started = Instant::now();
+        progress.check()?;
+        let frame = PictureFrame::new(camera, self.reach);
+        let clip_contour = |contour: &Contour| frame.clip(contour.ends, 1.0);
+        let clipped_contours: Vec<_> = contours.par_iter().map(clip_contour).collect();
+        let grid = PictureGrid::new(&frame, &clipped_contours);
+        let clipped: Vec<_> = strokes.strokes.par_iter().map(|stroke| frame.clip(stroke.ends, 0.0)).collect();
+        stats.project = started.elapsed();
+
+        let started = Instant::now();
+        let sight = Sight { mesh, tree: &self.tree, viewpoint };
+        let only_visible = options.max_invisibility == 0;
+        let cutter = PieceCutter { strokes: &strokes, contours: &contours, grid: &grid, finder, sight, only_visible };
+        let (mut pieces, counted) = cut_all(&cutter, &clipped, progress)?;
+        stats.pieces = pieces.len() as u64;
+        pieces.retain(|piece| piece.layers.invisibility() <= options.max_invisibility);
+        stats.decide = started.elapsed();
+
+        let started = Instant::now();
+        let chains = join(&strokes, &pieces, &frame);
+        stats.chain = started.elapsed();
+        stats.edges = strokes.strokes.len() as u64;
+        stats.contours = contours.len() as u64;
+        (stats.pairs, stats.events, stats.sight_lines) = (counted.pairs, counted.events, counted.sight_lines);
+        Ok(Lines { camera: *camera, chains, outline: Vec::new(), stats })
+    }
+}
+
+/// The pieces of all strokes, in order.
+fn cut_all(
+    cutter: &PieceCutter<'_>,
+    clipped: &[Option<ClippedEdge>],
+    progress: &dyn Progress,
+) -> Result<(Vec<Piece>, PieceStats), LineError> {
+    progress.stage("visible lines", clipped.len() as u64);
+    let pairs = AtomicU64::new(0);
+    let cut_chunk = |scratch: &mut CutterScratch, (chunk, edges): (usize, &[Option<ClippedEdge>])| {
+        if pairs.load(Ordering::Relaxed) > MAX_PAIRS {
+            return Err(LineError::TooCrowded);
+        }
+        progress.check()?;
+        scratch.stats = PieceStats::default();
+        let mut pieces = Vec::with_capacity(edges.len());
+        for (place, edge) in edges.iter().enumerate() {
+            if let Some(edge) = edge {
+                cutter.cut((chunk * STROKES_PER_TASK + place) as u32, edge, scratch, &mut pieces);
+            }
+        }
+        pairs.fetch_add(scratch.stats.pairs, Ordering::Relaxed);
+        progress.advance(edges.len() as u64);
+        Ok((pieces, scratch.stats))
+    };
+    let chunks: Result<Vec<_>, LineError> =
+        clipped.par_chunks(STROKES_PER_TASK).enumerate().map_init(CutterScratch::default, cut_chunk).collect();
+    let (mut all, mut total) = (Vec::new(), PieceStats::default());
+    for (pieces, stats) in chunks? {
+        all.extend(pieces);
+        total.pairs += stats.pairs;
+        total.events += stats.events;
+        total.sight_lines += stats.sight_lines;
+    }
+    if total.pairs > MAX_PAIRS { Err(LineError::TooCrowded) } else { Ok((all, total)) }
+}

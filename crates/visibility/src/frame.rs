@@ -1,0 +1,103 @@
+//! [`PictureFrame`]: points and edges of a scene in homogeneous pixels, clipped before they are divided.
+
+use silhouette_core::Camera;
+use silhouette_core::glam::{DVec2, DVec3, DVec4, Vec3};
+use silhouette_core::view::Projection;
+
+/// A point before its division: pixel coordinates times `w`, `w` being the depth for a perspective and 1 otherwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Homogeneous {
+    /// Pixel coordinates times `w`.
+    pub scaled_pixel: DVec2,
+    /// Above 0 in front of the eye.
+    pub w: f64,
+}
+
+impl Homogeneous {
+    /// The pixel. Infinite or NaN where `w` is 0.
+    pub fn pixel(self) -> DVec2 {
+        self.scaled_pixel / self.w
+    }
+}
+
+/// The part of an edge that is inside of a rectangle of the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClippedEdge {
+    /// Parameters along the edge in space, 0 at its first end and 1 at its second.
+    pub range: [f64; 2],
+    /// Pixels at both ends of the range. Not finite where the edge passes through the eye.
+    pub pixels: [DVec2; 2],
+    /// By how much rounding may have moved them, in pixels.
+    pub doubt_px: f64,
+}
+
+impl ClippedEdge {
+    /// Length in the picture.
+    pub fn length_px(&self) -> f64 {
+        self.pixels[0].distance(self.pixels[1])
+    }
+}
+
+/// A camera as a map to homogeneous pixels.
+#[derive(Debug, Clone, Copy)]
+pub struct PictureFrame {
+    /// Rows that yield pixel x times w, pixel y times w, and w of a world point.
+    rows: [DVec4; 3],
+    size: DVec2,
+    /// Upper bound of the error of a row's value for points of the scene.
+    error: f64,
+}
+
+impl PictureFrame {
+    /// The frame of a camera for points no farther than `reach` from the origin, on any axis.
+    pub fn new(camera: &Camera, reach: f64) -> Self {
+        let view = camera.view_matrix().transpose();
+        let size = DVec2::from(camera.size().map(f64::from));
+        let (w, scale) = match camera.projection() {
+            Projection::Perspective { .. } => (-view.z_axis, camera.pixels_per_unit(1.0)),
+            Projection::Orthographic { .. } => (DVec4::W, camera.pixels_per_unit(1.0)),
+        };
+        let rows = [view.x_axis * scale + w * (size.x * 0.5), w * (size.y * 0.5) - view.y_axis * scale, w];
+        let magnitude = |row: &DVec4| row.truncate().abs().element_sum() * reach + row.w.abs();
+        let error = rows.iter().map(magnitude).fold(0.0, f64::max) * 16.0 * f64::EPSILON;
+        Self { rows, size, error }
+    }
+
+    /// A point of the world, undivided.
+    pub fn map(&self, world: DVec3) -> Homogeneous {
+        let [x, y, w] = self.rows.map(|row| row.dot(world.extend(1.0)));
+        Homogeneous { scaled_pixel: DVec2::new(x, y), w }
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> DVec2 {
+        self.size
+    }
+
+    /// The part of the edge inside the picture, grown by `margin_px` on each side; `None` where there is none. O(1).
+    pub fn clip(&self, ends: [Vec3; 2], margin_px: f64) -> Option<ClippedEdge> {
+        let [a, b] = ends.map(|end| self.map(end.as_dvec3()));
+        let inside = |p: Homogeneous| {
+            let (low, high) = (p.scaled_pixel + margin_px * p.w, (self.size + margin_px) * p.w - p.scaled_pixel);
+            [low.x, low.y, high.x, high.y, p.w]
+        };
+        let mut range = [0.0_f64, 1.0];
+        for (at_a, at_b) in inside(a).into_iter().zip(inside(b)) {
+            match (at_a >= 0.0, at_b >= 0.0) {
+                (true, true) => {}
+                (false, false) => return None,
+                (false, true) => range[0] = range[0].max(at_a / (at_a - at_b)),
+                (true, false) => range[1] = range[1].min(at_a / (at_a - at_b)),
+            }
+        }
+        if range[0] >= range[1] {
+            return None;
+        }
+        let at =
+            |t: f64| Homogeneous { scaled_pixel: a.scaled_pixel.lerp(b.scaled_pixel, t), w: a.w + (b.w - a.w) * t };
+        let [from, to] = range.map(at);
+        // The farther the point from the eye's plane, the less an error of the numerator shows.
+        let doubt_px = self.error * (1.0 + self.size.max_element()) / from.w.min(to.w).max(f64::MIN_POSITIVE);
+        Some(ClippedEdge { range, pixels: [from.pixel(), to.pixel()], doubt_px })
+    }
+}

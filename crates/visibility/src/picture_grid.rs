@@ -1,0 +1,112 @@
+//! Step 3: a grid over the picture that says which contours pass near an edge.
+
+use crate::frame::{ClippedEdge, PictureFrame};
+use silhouette_core::glam::DVec2;
+
+/// Cells a contour: at about two, a short edge looks at few contours and the table stays as large as the contours.
+const CELLS_PER_CONTOUR: f64 = 2.0;
+
+/// Cells that a contour passes on the average, at most: long contours get larger cells, so that the table stays linear.
+const CELLS_PASSED: f64 = 7.0;
+
+/// Most cells along an axis.
+const MAX_CELLS: f64 = 4096.0;
+
+/// How far outside of its projection an edge is taken to reach, beyond its own doubt, in pixels.
+const SLACK_PX: f64 = 1e-3;
+
+/// Contours by cell of the picture.
+#[derive(Debug)]
+pub struct PictureGrid {
+    cells: [usize; 2],
+    /// Cells a pixel.
+    scale: DVec2,
+    /// Items of a cell are `items[first[cell]..first[cell + 1]]`.
+    first: Vec<u32>,
+    items: Vec<u32>,
+    /// Contours whose place in the picture is too uncertain for cells: near the eye.
+    everywhere: Vec<u32>,
+}
+
+/// An edge's place is given up beyond this doubt.
+const MAX_DOUBT_PX: f64 = 1.0;
+
+impl PictureGrid {
+    /// Bins the contours. `clipped` yields each contour's part inside the picture. O(contours + cells that they pass).
+    pub fn new(frame: &PictureFrame, clipped: &[Option<ClippedEdge>]) -> Self {
+        let size = frame.size();
+        let count = clipped.len().max(1) as f64;
+        let length: f64 = clipped.iter().flatten().filter(|edge| is_certain(edge)).map(ClippedEdge::length_px).sum();
+        let side = (size.x * size.y / (count * CELLS_PER_CONTOUR)).sqrt().max(length / (count * CELLS_PASSED));
+        let cells = (size / side).ceil().clamp(DVec2::ONE, DVec2::splat(MAX_CELLS));
+        let mut grid = Self {
+            cells: [cells.x as usize, cells.y as usize],
+            scale: cells / size,
+            first: vec![0; cells.x as usize * cells.y as usize + 1],
+            items: Vec::new(),
+            everywhere: Vec::new(),
+        };
+        // A counting sort: how many, where from, which.
+        let mut first = std::mem::take(&mut grid.first);
+        for (index, edge) in clipped.iter().enumerate() {
+            match edge {
+                Some(edge) if is_certain(edge) => grid.for_each_cell(edge, |cell| first[cell + 1] += 1),
+                Some(_) => grid.everywhere.push(index as u32),
+                None => {}
+            }
+        }
+        for cell in 1..first.len() {
+            first[cell] += first[cell - 1];
+        }
+        let mut items = vec![0; first.last().map_or(0, |&total| total as usize)];
+        let mut next = first.clone();
+        for (index, edge) in clipped.iter().enumerate() {
+            if let Some(edge) = edge.as_ref().filter(|edge| is_certain(edge)) {
+                grid.for_each_cell(edge, |cell| {
+                    items[next[cell] as usize] = index as u32;
+                    next[cell] += 1;
+                });
+            }
+        }
+        (grid.first, grid.items) = (first, items);
+        grid
+    }
+
+    /// Appends all contours that may meet an edge in the picture, perhaps several times.
+    pub fn near(&self, edge: &ClippedEdge, out: &mut Vec<u32>) {
+        out.extend_from_slice(&self.everywhere);
+        if is_certain(edge) {
+            self.for_each_cell(edge, |cell| {
+                out.extend_from_slice(&self.items[self.first[cell] as usize..self.first[cell + 1] as usize]);
+            });
+        } else {
+            out.extend_from_slice(&self.items);
+        }
+    }
+
+    /// Calls for each cell that the edge may pass, column by column.
+    fn for_each_cell(&self, edge: &ClippedEdge, mut visit: impl FnMut(usize)) {
+        let slack = (edge.doubt_px + SLACK_PX) * self.scale;
+        let [from, to] = edge.pixels.map(|pixel| pixel * self.scale);
+        let (left, right) = if from.x <= to.x { (from, to) } else { (to, from) };
+        let slope = if right.x > left.x { (right.y - left.y) / (right.x - left.x) } else { 0.0 };
+        let (low_y, high_y) = (left.y.min(right.y), left.y.max(right.y));
+        let bound = |value: f64, axis: usize| (value.max(0.0) as usize).min(self.cells[axis] - 1);
+        for column in bound(left.x - slack.x, 0)..=bound(right.x + slack.x, 0) {
+            // Rows between the heights at which the edge enters and leaves the column.
+            let enter = left.y + slope * (column as f64 - slack.x - left.x).clamp(0.0, right.x - left.x);
+            let leave = left.y + slope * (column as f64 + 1.0 + slack.x - left.x).clamp(0.0, right.x - left.x);
+            let (mut low, mut high) = (enter.min(leave), enter.max(leave));
+            if right.x - left.x <= slack.x {
+                (low, high) = (low_y, high_y);
+            }
+            for row in bound(low - slack.y, 1)..=bound(high + slack.y, 1) {
+                visit(row * self.cells[0] + column);
+            }
+        }
+    }
+}
+
+fn is_certain(edge: &ClippedEdge) -> bool {
+    edge.doubt_px < MAX_DOUBT_PX && edge.pixels.iter().all(|pixel| pixel.is_finite())
+}

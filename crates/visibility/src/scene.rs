@@ -1,0 +1,150 @@
+//! [`LineScene`]: the meshes, labels and curves that are drawn together.
+
+use silhouette_core::glam::Vec3;
+use silhouette_core::mesh::MeshError;
+use silhouette_core::{FaceId, PreparedMesh, TriangleMesh};
+use std::sync::Arc;
+
+/// A smooth curve as cubic Bezier pieces in object space, to be drawn where it is visible.
+///
+/// A curve that smooths a silhouette runs a little above or below the faces around it, which would hide parts of it; it is
+/// drawn as if those faces were not there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurvePiece {
+    /// Control points; the first and the last are on the curve.
+    pub control: [Vec3; 4],
+    /// Faces that do not hide this piece.
+    pub on_faces: Vec<FaceId>,
+    /// The object it belongs to.
+    pub object: u32,
+}
+
+/// Why a scene cannot be made.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// Together the meshes are too large for 32-bit ids.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// There must be a label for each face.
+    #[error("{labels} labels for {faces} faces; give one for each face")]
+    Labels {
+        /// How many labels there are.
+        labels: usize,
+        /// How many faces.
+        faces: usize,
+    },
+    /// A control point that is not finite, or a face or object that does not exist.
+    #[error(
+        "curve piece {piece} has a control point that is not finite, or names a face or object that does not exist"
+    )]
+    Curve {
+        /// Its index.
+        piece: usize,
+    },
+}
+
+/// What is drawn together: one or several meshes, which hide each other.
+#[derive(Clone)]
+pub struct LineScene {
+    mesh: Arc<PreparedMesh>,
+    /// First face of each object, ascending; 0 comes first.
+    object_starts: Vec<u32>,
+    labels: Option<Vec<u32>>,
+    curves: Vec<CurvePiece>,
+}
+
+impl LineScene {
+    /// One mesh, object 0.
+    pub fn new(mesh: Arc<PreparedMesh>) -> Self {
+        Self { mesh, object_starts: vec![0], labels: None, curves: Vec::new() }
+    }
+
+    /// Several meshes in one space, each an object of its own. Ids of edges and faces are those of the meshes set one after
+    /// another. O(V + F).
+    ///
+    /// # Errors
+    /// [`SceneError::Mesh`] if together they are too large.
+    pub fn of_meshes(meshes: &[&TriangleMesh]) -> Result<Self, SceneError> {
+        let (mut positions, mut triangles, mut object_starts) = (Vec::new(), Vec::new(), Vec::new());
+        for mesh in meshes {
+            // Beyond 32 bits the sum wraps, and the size check of the whole refuses the scene.
+            let first = positions.len() as u32;
+            object_starts.push(triangles.len() as u32);
+            positions.extend_from_slice(mesh.positions());
+            triangles.extend(mesh.triangles().iter().map(|corners| corners.map(|corner| corner.wrapping_add(first))));
+        }
+        if object_starts.is_empty() {
+            object_starts.push(0);
+        }
+        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(positions, triangles)?));
+        Ok(Self { mesh, object_starts, labels: None, curves: Vec::new() })
+    }
+
+    /// The same scene with a label for each face, such as its material: lines are drawn between faces of different labels.
+    ///
+    /// # Errors
+    /// [`SceneError::Labels`].
+    pub fn with_labels(mut self, labels: Vec<u32>) -> Result<Self, SceneError> {
+        let (labels_given, faces) = (labels.len(), self.mesh.mesh().face_count());
+        if labels_given != faces {
+            return Err(SceneError::Labels { labels: labels_given, faces });
+        }
+        self.labels = Some(labels);
+        Ok(self)
+    }
+
+    /// The same scene with smooth curves.
+    ///
+    /// # Errors
+    /// [`SceneError::Curve`] names the first piece at fault.
+    pub fn with_curves(mut self, curves: Vec<CurvePiece>) -> Result<Self, SceneError> {
+        let faces = self.mesh.mesh().face_count();
+        let is_valid = |piece: &CurvePiece| {
+            piece.control.iter().all(|point| point.is_finite())
+                && piece.on_faces.iter().all(|face| face.index() < faces)
+                && (piece.object as usize) < self.object_starts.len()
+        };
+        if let Some(piece) = curves.iter().position(|piece| !is_valid(piece)) {
+            return Err(SceneError::Curve { piece });
+        }
+        self.curves = curves;
+        Ok(self)
+    }
+
+    /// All meshes as one, with the artefacts derived from it.
+    pub fn mesh(&self) -> &Arc<PreparedMesh> {
+        &self.mesh
+    }
+
+    /// Number of objects, at least 1.
+    pub fn object_count(&self) -> usize {
+        self.object_starts.len()
+    }
+
+    /// The object that a face belongs to. O(log objects).
+    pub fn object_of(&self, face: FaceId) -> u32 {
+        (self.object_starts.partition_point(|&start| start <= face.get()) - 1) as u32
+    }
+
+    /// The label of each face.
+    pub fn labels(&self) -> Option<&[u32]> {
+        self.labels.as_deref()
+    }
+
+    /// The smooth curves.
+    pub fn curves(&self) -> &[CurvePiece] {
+        &self.curves
+    }
+}
+
+impl std::fmt::Debug for LineScene {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("LineScene")
+            .field("faces", &self.mesh.mesh().face_count())
+            .field("objects", &self.object_starts.len())
+            .field("labelled", &self.labels.is_some())
+            .field("curves", &self.curves.len())
+            .finish_non_exhaustive()
+    }
+}

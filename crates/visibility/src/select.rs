@@ -1,0 +1,103 @@
+//! Step 2: which edges are drawn, and why.
+
+use crate::chains::SegmentSource;
+use crate::contours::ContourFinder;
+use crate::kind::LineKind;
+use crate::options::LineOptions;
+use crate::scene::LineScene;
+use crate::stroke::{Stroke, Strokes};
+use rayon::prelude::*;
+use silhouette_core::glam::DVec3;
+use silhouette_core::{EdgeId, SilhouetteEdges, Topology, TriangleMesh};
+
+/// Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
+#[derive(Debug, Clone, Default)]
+pub struct FeatureEdges {
+    /// Ascending by edge. Boundary edges, ridges and the rest by the view-independent kinds.
+    edges: Vec<(EdgeId, LineKind)>,
+}
+
+impl FeatureEdges {
+    /// The feature edges of a scene. O(E), parallel.
+    pub fn new(scene: &LineScene, topology: &Topology, options: &LineOptions) -> Self {
+        let looks_at_all =
+            options.mesh || options.ridge_deg.is_some() || options.valley_deg.is_some() || scene.labels().is_some();
+        if !looks_at_all && !options.boundary {
+            return Self::default();
+        }
+        let mesh = scene.mesh().mesh();
+        let edges: Vec<EdgeId> = topology.edges().ids().collect();
+        let kind_of = |edge: EdgeId| kind(scene, mesh, topology, options, edge).map(|kind| (edge, kind));
+        Self { edges: edges.par_iter().filter_map(|&edge| kind_of(edge)).collect() }
+    }
+}
+
+fn kind(
+    scene: &LineScene,
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    options: &LineOptions,
+    edge: EdgeId,
+) -> Option<LineKind> {
+    let half_edges = topology.half_edges(edge);
+    let other = options.mesh.then_some(LineKind::Mesh);
+    let [one, another] = half_edges else {
+        return if half_edges.len() == 1 && options.boundary { Some(LineKind::Boundary) } else { other };
+    };
+    let faces = [one.face(), another.face()];
+    let wanted = [(LineKind::Ridge, options.ridge_deg), (LineKind::Valley, options.valley_deg)];
+    if wanted.iter().any(|(_, threshold)| threshold.is_some()) {
+        let [normal, across] = faces.map(|face| {
+            let [a, b, c] = mesh.corners(face).map(|corner| corner.as_dvec3());
+            (b - a).cross(c - a)
+        });
+        let bend_deg = normal.cross(across).length().atan2(normal.dot(across)).to_degrees();
+        // Concave where the neighbour's third corner rises above the face.
+        let [a, ..] = mesh.corners(faces[0]).map(|corner| corner.as_dvec3());
+        let apex = mesh.corners(faces[1])[(another.slot() as usize + 2) % 3].as_dvec3();
+        let is_ridge = normal.dot(apex - a) <= 0.0;
+        let threshold = if is_ridge { options.ridge_deg } else { options.valley_deg };
+        if normal != DVec3::ZERO && across != DVec3::ZERO && threshold.is_some_and(|least| bend_deg >= least) {
+            return Some(if is_ridge { LineKind::Ridge } else { LineKind::Valley });
+        }
+    }
+    let labels_differ = |labels: &[u32]| labels[faces[0].index()] != labels[faces[1].index()];
+    if options.material && scene.labels().is_some_and(labels_differ) { Some(LineKind::Material) } else { other }
+}
+
+/// The mesh edges drawn in a view, each once: silhouette edges before features. O(S + features).
+pub fn mesh_strokes(
+    scene: &LineScene,
+    finder: &ContourFinder<'_>,
+    silhouette: &SilhouetteEdges,
+    features: &FeatureEdges,
+    options: &LineOptions,
+) -> Strokes {
+    let is_interior = |edge: &EdgeId| finder.topology.half_edges(*edge).len() > 1;
+    let silhouette = silhouette.iter().filter(|edge| options.silhouette && is_interior(edge));
+    let mut drawn: Vec<(EdgeId, LineKind)> = silhouette.map(|edge| (edge, LineKind::Silhouette)).collect();
+    drawn.extend_from_slice(&features.edges);
+    // Stable, so that the silhouette keeps an edge that is a feature as well.
+    drawn.sort_by_key(|&(edge, _)| edge);
+    drawn.dedup_by_key(|&mut (edge, _)| edge);
+    let mut strokes = Strokes::default();
+    for (edge, kind) in drawn {
+        let vertices = finder.topology.edges()[edge];
+        let ends = vertices.map(|vertex| finder.mesh.positions()[vertex as usize]);
+        if ends[0] == ends[1] {
+            continue;
+        }
+        let first_face = finder.topology.half_edges(edge)[0].face();
+        let stroke = Stroke {
+            ends,
+            vertices,
+            source: SegmentSource::Edge(edge),
+            kind,
+            object: scene.object_of(first_face),
+            side: finder.surface_side(edge),
+            own: 0..0,
+        };
+        strokes.push(stroke, finder.topology.faces(edge));
+    }
+    strokes
+}

@@ -1,0 +1,59 @@
+//! [`Stroke`]: a straight edge to be drawn, whatever it comes from.
+
+use crate::chains::SegmentSource;
+use crate::kind::LineKind;
+use silhouette_core::FaceId;
+use silhouette_core::glam::{DVec3, Vec3};
+use std::ops::Range;
+
+/// No mesh vertex: an end of a stroke that is not a mesh edge.
+pub const NO_VERTEX: u32 = u32::MAX;
+
+/// A straight edge to be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stroke {
+    /// Its ends in object space.
+    pub ends: [Vec3; 2],
+    /// Mesh vertices at its ends, or [`NO_VERTEX`].
+    pub vertices: [u32; 2],
+    /// What it lies on.
+    pub source: SegmentSource,
+    /// Why it is drawn.
+    pub kind: LineKind,
+    /// The object it belongs to.
+    pub object: u32,
+    /// The side of it that decides in ties, looking from its first end to its second: 1 for the left, -1 for the right.
+    pub side: i8,
+    /// Faces that it lies on and that therefore do not hide it, in [`Strokes::faces`].
+    pub own: Range<u32>,
+}
+
+impl Stroke {
+    /// The point at a parameter from 0 at the first end to 1 at the second.
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.ends[0].as_dvec3().lerp(self.ends[1].as_dvec3(), t)
+    }
+}
+
+/// The strokes of a view.
+#[derive(Debug, Clone, Default)]
+pub struct Strokes {
+    /// The strokes.
+    pub strokes: Vec<Stroke>,
+    /// Faces that strokes lie on.
+    pub faces: Vec<FaceId>,
+}
+
+impl Strokes {
+    /// The faces that a stroke lies on.
+    pub fn own_faces(&self, stroke: &Stroke) -> &[FaceId] {
+        &self.faces[stroke.own.start as usize..stroke.own.end as usize]
+    }
+
+    /// Appends a stroke on these faces.
+    pub fn push(&mut self, stroke: Stroke, faces: impl IntoIterator<Item = FaceId>) {
+        let begin = self.faces.len() as u32;
+        self.faces.extend(faces);
+        self.strokes.push(Stroke { own: begin..self.faces.len() as u32, ..stroke });
+    }
+}
