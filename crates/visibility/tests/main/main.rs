@@ -1,0 +1,5 @@
+//! Visible lines against brute force, closed forms and hostile scenes.
+
+mod oracle;
+mod rays;
+mod scenes;

@@ -1,0 +1,141 @@
+//! Every decision about a point of a line against a sight line cast by brute force.
+
+use crate::oracle;
+use crate::scenes::{all_lines, builtin, directions, framing, model};
+use silhouette_core::glam::DVec3;
+use silhouette_core::{Topology, TriangleMesh};
+use silhouette_visibility::{LineOptions, Lines, SegmentSource};
+
+/// Share of the picture that a decision keeps from the nearest end of its piece.
+const CLEARANCE: f64 = 1e-4;
+
+/// What a comparison saw.
+#[derive(Debug, Default, Clone, Copy, PartialEq)]
+struct Tally {
+    samples: usize,
+    wrong: usize,
+    /// Points at which a sight line runs exactly through an edge.
+    ties: usize,
+    hidden: usize,
+}
+
+/// Compares about `wanted` points, spread evenly along all lines.
+fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
+    let topology = Topology::new(mesh);
+    let clearance_px = CLEARANCE * f64::from(lines.camera.size()[0]);
+    let total: f64 = lines.chains.iter().map(|chain| chain.length_px()).sum();
+    let spacing = total / wanted as f64;
+    let mut tally = Tally::default();
+    let mut walked = spacing * 0.5;
+    for chain in lines.chains.iter() {
+        for (segment, source) in chain.sources.iter().enumerate() {
+            let length = {
+                let [from, to] = chain.segment_pixels(segment);
+                from.distance(to)
+            };
+            let SegmentSource::Edge(edge) = *source else { panic!("only mesh edges were asked for") };
+            while walked < length {
+                let at = walked;
+                walked += spacing;
+                if at < clearance_px || at > length - clearance_px {
+                    continue;
+                }
+                let points = [segment, (segment + 1) % chain.points.len()].map(|index| chain.points[index]);
+                let vertices = topology.end_points(edge).map(|vertex| vertex.get());
+                let ends = vertices.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
+                let point = points[0].lerp(points[1], at / length);
+                let t = point.distance(ends[0]) / ends[1].distance(ends[0]);
+                match oracle::invisibility(mesh, &lines.camera.viewpoint(), vertices, oracle::nearest_step(t)) {
+                    None => tally.ties += 1,
+                    Some(expected) => {
+                        tally.samples += 1;
+                        tally.hidden += usize::from(expected > 0);
+                        tally.wrong += usize::from(expected != chain.style.invisibility);
+                    }
+                }
+            }
+            walked -= length;
+        }
+    }
+    tally
+}
+
+fn check(name: &str, mesh: &TriangleMesh, views: usize, wanted: usize, options: &LineOptions) {
+    let mut sum = Tally::default();
+    for (index, direction) in directions(views).enumerate() {
+        let camera = framing(mesh, direction, index % 3 != 2);
+        let tally = compare(mesh, &all_lines(mesh, &camera, options), wanted);
+        assert_eq!(tally.wrong, 0, "{name} from {direction}: {tally:?}");
+        sum.samples += tally.samples;
+        sum.ties += tally.ties;
+        sum.hidden += tally.hidden;
+    }
+    eprintln!("{name}: {sum:?}");
+    assert!(sum.samples > wanted * views / 2, "{name}: {sum:?}");
+}
+
+const SHAPES: [&str; 9] =
+    ["cube", "icosphere:2", "torus:24,16", "knot", "gear", "blob:3000", "grid", "moebius", "cone"];
+
+#[test]
+fn shapes_agree_with_brute_force() {
+    for name in SHAPES {
+        check(name, &builtin(name), 6, 400, &LineOptions::default());
+    }
+}
+
+#[test]
+fn every_mesh_edge_agrees_with_brute_force() {
+    let options = LineOptions { mesh: true, ..LineOptions::default() };
+    for name in ["cube", "icosphere:2", "torus:24,16", "gear", "moebius"] {
+        check(name, &builtin(name), 4, 1000, &options);
+    }
+}
+
+/// Along axes and diagonals, edges cover edges and faces are edge-on.
+#[test]
+fn views_along_axes_agree_with_brute_force() {
+    let options = LineOptions { mesh: true, ..LineOptions::default() };
+    for name in ["cube", "gear", "grid", "cylinder", "uv-sphere"] {
+        let mesh = builtin(name);
+        for direction in [DVec3::X, DVec3::NEG_Y, DVec3::Z, DVec3::new(1.0, 1.0, 0.0), DVec3::ONE] {
+            for perspective in [true, false] {
+                let camera = framing(&mesh, direction, perspective);
+                let tally = compare(&mesh, &all_lines(&mesh, &camera, &options), 500);
+                assert_eq!(tally.wrong, 0, "{name} along {direction}, perspective {perspective}: {tally:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn real_models_agree_with_brute_force() {
+    let thorough = std::env::var_os("SILHOUETTES_ORACLE").is_some();
+    let (views, wanted) = if thorough { (10, 10_000) } else { (2, 150) };
+    let models = [
+        "cow.obj",
+        "spot.obj",
+        "fandisk.obj",
+        "suzanne.obj",
+        "teapot.obj",
+        "homer.obj",
+        "stanford-bunny.obj",
+        "armadillo.obj",
+    ];
+    for name in models {
+        if let Some(mesh) = model(name) {
+            check(name, &mesh, views, wanted, &LineOptions::default());
+        }
+    }
+}
+
+/// The comparison can fail: lines of a camera that stands elsewhere are wrong in many places.
+#[test]
+fn lines_of_another_view_are_seen_to_be_wrong() {
+    let mesh = builtin("knot");
+    let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
+    let mut lines = all_lines(&mesh, &camera, &LineOptions::default());
+    lines.camera = framing(&mesh, DVec3::new(-1.0, 0.4, 0.2), true);
+    let tally = compare(&mesh, &lines, 400);
+    assert!(tally.wrong * 10 > tally.samples, "{tally:?}");
+}
