@@ -121,6 +121,14 @@ pub fn piercing(stroke: &Stroke, viewpoint: &Viewpoint, corners: [Vec3; 3]) -> O
     Some(Event { t, doubt, change: (!through_its_rim).then_some(change), contour: None })
 }
 
+/// Whether a point lies in the plane of a face and not certainly outside of it. A superset: a point in the plane beside a
+/// corner may count.
+pub fn touches(point: Vec3, corners: [Vec3; 3]) -> bool {
+    let [u, v, w] = corners;
+    let (low, high) = (u.min(v).min(w), u.max(v).max(w));
+    point.cmpge(low).all() && point.cmple(high).all() && orientation(u, v, w, point) == 0.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

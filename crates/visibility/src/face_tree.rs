@@ -69,9 +69,8 @@ impl FaceTree {
         Self { bvh, center, scale }
     }
 
-    /// Visits the faces that may lie between `from` and the viewer, until `visit` answers `false`: a superset, in no
-    /// particular order, each face at most once.
-    pub fn faces_toward(&self, viewpoint: &Viewpoint, from: DVec3, visit: impl FnMut(FaceId) -> bool) {
+    /// Visits the faces that may lie between `from` and the viewer: a superset, in no particular order, each face once.
+    pub fn faces_toward(&self, viewpoint: &Viewpoint, from: DVec3, visit: impl FnMut(FaceId)) {
         let (toward, reach) = match *viewpoint {
             Viewpoint::Perspective { eye } => (eye.as_dvec3() - from, true),
             Viewpoint::Orthographic { toward_viewer } => (toward_viewer.as_dvec3(), false),
@@ -80,25 +79,19 @@ impl FaceTree {
     }
 
     /// Visits the faces that the segment from `a` to `b` may meet: a superset, each face at most once.
-    pub fn faces_at(&self, a: Vec3, b: Vec3, mut visit: impl FnMut(FaceId)) {
-        self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, |face| {
-            visit(face);
-            true
-        });
+    pub fn faces_at(&self, a: Vec3, b: Vec3, visit: impl FnMut(FaceId)) {
+        self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, visit);
     }
 
     /// Visits the faces that may meet the line through `from` along `direction`, in both directions without end.
-    pub fn faces_on_line(&self, from: DVec3, direction: DVec3, mut visit: impl FnMut(FaceId)) {
+    pub fn faces_on_line(&self, from: DVec3, direction: DVec3, visit: impl FnMut(FaceId)) {
         // A ray that begins well outside of the scene.
         let Some(direction) = direction.try_normalize() else { return };
         let begin = from - direction * (f64::from(FAR) * 0.5 / self.scale);
-        self.along(begin, direction, false, |face| {
-            visit(face);
-            true
-        });
+        self.along(begin, direction, false, visit);
     }
 
-    fn along(&self, from: DVec3, direction: DVec3, to_its_end: bool, mut visit: impl FnMut(FaceId) -> bool) {
+    fn along(&self, from: DVec3, direction: DVec3, to_its_end: bool, mut visit: impl FnMut(FaceId)) {
         let origin = ((from - self.center) * self.scale).as_vec3a();
         let length = direction.length();
         if self.bvh.nodes.is_empty() || !(length > 0.0 && length.is_finite() && origin.is_finite()) {
@@ -106,11 +99,7 @@ impl FaceTree {
         }
         let end = if to_its_end { (length * self.scale) as f32 * (1.0 + 1e-5) + 2.0 * GROWTH } else { FAR };
         let ray = Ray::new(origin, (direction / length).as_vec3a(), 0.0, end.min(FAR));
-        // The distance reported for a hit only decides whether the search ends: 0 ends it.
-        self.bvh.ray_traverse_miss(ray, |_, place| {
-            let face = FaceId::new(self.bvh.primitive_indices[place]);
-            if visit(face) { f32::INFINITY } else { 0.0 }
-        });
+        self.bvh.ray_traverse_anyhit(ray, |_, place| visit(FaceId::new(self.bvh.primitive_indices[place])));
     }
 }
 
@@ -158,7 +147,7 @@ mod tests {
                 let inside = (a * f64::from(weights[0]) + b * f64::from(weights[1]) + c * f64::from(weights[2])) / sum;
                 let beyond = inside + (inside - from.as_dvec3()) * 0.01;
                 let (mut seen, mut crossed) = (Vec::new(), Vec::new());
-                tree.faces_toward(&Viewpoint::Perspective { eye: from }, beyond, |f| { seen.push(f.index()); true });
+                tree.faces_toward(&Viewpoint::Perspective { eye: from }, beyond, |f| seen.push(f.index()));
                 tree.faces_on_line(beyond, inside - from.as_dvec3(), |f| crossed.push(f.index()));
                 if inside != from.as_dvec3() {
                     prop_assert!(seen.contains(&face), "face {face} is not between {beyond} and {from}");

@@ -3,14 +3,17 @@
 use crate::contours::{Contour, ContourFinder, UnpairedEdges};
 use crate::face_tree::FaceTree;
 use crate::frame::{ClippedEdge, PictureFrame};
+use crate::gaps::Gap;
 use crate::join::join;
 use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
 use crate::picture_grid::PictureGrid;
-use crate::pieces::{CutterScratch, Piece, PieceCutter, PieceStats};
+use crate::pieces::{CutStats, CutterScratch, StrokeCutter, emit};
+use crate::propagate::{CutStroke, Propagation};
 use crate::scene::LineScene;
 use crate::select::{FeatureEdges, mesh_strokes};
 use crate::sight::Sight;
+use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
 use silhouette_core::{Camera, Cancelled, FaceFacings, Progress, SilhouetteEdges, Topology};
 use std::sync::Arc;
@@ -44,6 +47,7 @@ pub struct LineFinder {
     topology: Arc<Topology>,
     tree: Arc<FaceTree>,
     unpaired: Arc<UnpairedEdges>,
+    vertex_faces: Arc<VertexFaces>,
     /// Largest absolute coordinate.
     reach: f64,
     facings: FaceFacings,
@@ -63,12 +67,13 @@ impl LineFinder {
         let mesh = scene.mesh();
         let (topology, tree) = rayon::join(|| mesh.artefact(NAME, progress), || mesh.artefact(NAME, progress));
         let (topology, tree) = (topology?, tree?);
-        let unpaired = mesh.artefact(NAME, progress)?;
+        let (unpaired, vertex_faces) = (mesh.artefact(NAME, progress)?, mesh.artefact(NAME, progress)?);
         let reach = mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element());
         Ok(Self {
             topology,
             tree,
             unpaired,
+            vertex_faces,
             reach,
             facings: FaceFacings::default(),
             silhouette: SilhouetteEdges::default(),
@@ -120,9 +125,21 @@ impl LineFinder {
 
         let started = Instant::now();
         let sight = Sight { mesh, tree: &self.tree, viewpoint };
-        let only_visible = options.max_invisibility == 0;
-        let cutter = PieceCutter { strokes: &strokes, contours: &contours, grid: &grid, finder, sight, only_visible };
-        let (mut pieces, counted) = cut_all(&cutter, &clipped, progress)?;
+        let cutter = StrokeCutter {
+            strokes: &strokes,
+            contours: &contours,
+            clipped_contours: &clipped_contours,
+            grid: &grid,
+            finder,
+            sight,
+        };
+        let cuts = cut_all(&cutter, &clipped, progress)?;
+        let propagation = Propagation { strokes: &strokes, sight, vertex_faces: &self.vertex_faces };
+        let (layers, sight_lines) = propagation.decide(&cuts.strokes, &cuts.gaps);
+        let mut pieces = Vec::with_capacity(cuts.gaps.len());
+        for CutStroke { stroke, gaps, range, .. } in &cuts.strokes {
+            emit(*stroke, *range, &cuts.gaps[gaps.clone()], |gap| layers[gaps.start + gap], &mut pieces);
+        }
         stats.pieces = pieces.len() as u64;
         pieces.retain(|piece| piece.layers.invisibility() <= options.max_invisibility);
         stats.decide = started.elapsed();
@@ -132,17 +149,24 @@ impl LineFinder {
         stats.chain = started.elapsed();
         stats.edges = strokes.strokes.len() as u64;
         stats.contours = contours.len() as u64;
-        (stats.pairs, stats.events, stats.sight_lines) = (counted.pairs, counted.events, counted.sight_lines);
+        (stats.pairs, stats.events, stats.sight_lines) = (cuts.stats.pairs, cuts.stats.events, sight_lines);
         Ok(Lines { camera: *camera, chains, outline: Vec::new(), stats })
     }
 }
 
-/// The pieces of all strokes, in order.
+/// All strokes inside the picture with their gaps, in order.
+#[derive(Default)]
+struct Cuts {
+    strokes: Vec<CutStroke>,
+    gaps: Vec<Gap>,
+    stats: CutStats,
+}
+
 fn cut_all(
-    cutter: &PieceCutter<'_>,
+    cutter: &StrokeCutter<'_>,
     clipped: &[Option<ClippedEdge>],
     progress: &dyn Progress,
-) -> Result<(Vec<Piece>, PieceStats), LineError> {
+) -> Result<Cuts, LineError> {
     progress.stage("visible lines", clipped.len() as u64);
     let pairs = AtomicU64::new(0);
     let cut_chunk = |scratch: &mut CutterScratch, (chunk, edges): (usize, &[Option<ClippedEdge>])| {
@@ -150,25 +174,32 @@ fn cut_all(
             return Err(LineError::TooCrowded);
         }
         progress.check()?;
-        scratch.stats = PieceStats::default();
-        let mut pieces = Vec::with_capacity(edges.len());
+        let mut cuts = Cuts::default();
         for (place, edge) in edges.iter().enumerate() {
             if let Some(edge) = edge {
-                cutter.cut((chunk * STROKES_PER_TASK + place) as u32, edge, scratch, &mut pieces);
+                let stroke = (chunk * STROKES_PER_TASK + place) as u32;
+                let first = cuts.gaps.len();
+                let touched = cutter.cut(stroke, edge, scratch, &mut cuts.gaps);
+                cuts.strokes.push(CutStroke { stroke, gaps: first..cuts.gaps.len(), range: edge.range, touched });
             }
         }
-        pairs.fetch_add(scratch.stats.pairs, Ordering::Relaxed);
+        cuts.stats = std::mem::take(&mut scratch.stats);
+        pairs.fetch_add(cuts.stats.pairs, Ordering::Relaxed);
         progress.advance(edges.len() as u64);
-        Ok((pieces, scratch.stats))
+        Ok(cuts)
     };
-    let chunks: Result<Vec<_>, LineError> =
+    let chunks: Result<Vec<Cuts>, LineError> =
         clipped.par_chunks(STROKES_PER_TASK).enumerate().map_init(CutterScratch::default, cut_chunk).collect();
-    let (mut all, mut total) = (Vec::new(), PieceStats::default());
-    for (pieces, stats) in chunks? {
-        all.extend(pieces);
-        total.pairs += stats.pairs;
-        total.events += stats.events;
-        total.sight_lines += stats.sight_lines;
+    let mut all = Cuts::default();
+    for cuts in chunks? {
+        let first = all.gaps.len();
+        all.gaps.extend(cuts.gaps);
+        all.strokes.extend(cuts.strokes.into_iter().map(|mut stroke| {
+            stroke.gaps = stroke.gaps.start + first..stroke.gaps.end + first;
+            stroke
+        }));
+        all.stats.pairs += cuts.stats.pairs;
+        all.stats.events += cuts.stats.events;
     }
-    if total.pairs > MAX_PAIRS { Err(LineError::TooCrowded) } else { Ok((all, total)) }
+    if all.stats.pairs > MAX_PAIRS { Err(LineError::TooCrowded) } else { Ok(all) }
 }

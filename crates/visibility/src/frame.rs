@@ -36,6 +36,14 @@ impl ClippedEdge {
     pub fn length_px(&self) -> f64 {
         self.pixels[0].distance(self.pixels[1])
     }
+
+    /// Distance of a pixel from it; NaN where the edge passes through the eye.
+    pub fn distance_px(&self, pixel: DVec2) -> f64 {
+        let [from, to] = self.pixels;
+        let along = to - from;
+        let share = ((pixel - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        pixel.distance(if share.is_nan() { from } else { from.lerp(to, share) })
+    }
 }
 
 /// A camera as a map to homogeneous pixels.

@@ -62,6 +62,12 @@ impl Affine {
         }
         (sign(value), value.abs() > 4.0 * RELATIVE_ERROR * magnitude)
     }
+
+    /// The sign just inside of an end, 0 for the first and 1 for the second; 0 only where it vanishes everywhere.
+    fn sign_near(self, end: usize) -> i32 {
+        let [here, there] = if end == 0 { [self.at_a, self.at_b] } else { [self.at_b, self.at_a] };
+        if here == 0.0 { sign(there) } else { sign(here) }
+    }
 }
 
 fn sign(value: f64) -> i32 {
@@ -69,108 +75,122 @@ fn sign(value: f64) -> i32 {
 }
 
 impl Sight<'_> {
-    /// Layers that cut the sight line to the point at `t` of `stroke`, faces for which `is_own` holds left out. With
-    /// `any` the search ends at the first.
+    /// Layers that cut the sight line to the point at `t` of `stroke`, faces for which `is_own` holds left out.
     ///
     /// O(log F + faces along the sight line).
-    pub fn look(&self, stroke: &Stroke, t: f64, is_own: impl Fn(FaceId) -> bool, any: bool) -> Seen {
+    pub fn look(&self, stroke: &Stroke, t: f64, is_own: impl Fn(FaceId) -> bool) -> Seen {
         let place = stroke.at(t);
         let toward_viewer = match self.viewpoint {
             Viewpoint::Perspective { eye } => eye.as_dvec3() - place,
             Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
         };
-        let error = 4.0 * f64::EPSILON * stroke.ends[0].abs().max(stroke.ends[1].abs()).max_element() as f64;
+        let error = 4.0 * f64::EPSILON * f64::from(stroke.ends[0].abs().max(stroke.ends[1].abs()).max_element());
         let target = Target { stroke, t, place, toward_viewer, error };
         let mut seen = Seen { layers: Layers::default(), certain: true };
         self.tree.faces_toward(&self.viewpoint, place, |face| {
-            if !is_own(face) {
-                let (cut, certain) = self.cut(&target, face);
+            if let Some((facing, certain)) = self.cut(&target, face).filter(|_| !is_own(face)) {
                 seen.certain &= certain;
-                if let Some(facing) = cut {
-                    seen.layers.add(Layers::of(facing), 1);
-                    return !any;
-                }
+                seen.layers.add(facing, 1);
             }
-            true
         });
         seen
     }
 
-    /// The facing with which a face cuts the sight line, if it does, and whether that is certain.
-    fn cut(&self, target: &Target<'_>, face: FaceId) -> (Option<Facing>, bool) {
+    /// The layers that one face adds in front of a stroke just inside of one of its ends. Exact.
+    pub fn near_end(&self, stroke: &Stroke, end: usize, face: FaceId) -> Layers {
         let vertices = self.mesh.triangles()[face.index()];
         let corners = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
-        let sides = [0, 1, 2].map(|slot| rounded_side(target, corners[slot], corners[(slot + 1) % 3]));
+        let facing = sign(turn(&self.viewpoint, corners[0], corners[1], corners[2]));
+        let covers = facing != 0
+            && (0..3).all(|slot| {
+                let side = self.side(stroke, vertices, corners, slot);
+                let near_side = side.affine.sign_near(end) * side.direction;
+                facing == if near_side == 0 { self.covering_side(stroke, facing, corners, slot) } else { near_side }
+            });
+        let hides = covers && self.height(stroke, corners).sign_near(end) == -facing;
+        if hides { layer(facing) } else { Layers::default() }
+    }
+
+    /// What a face adds in front of the target, and whether that is certain; `None` for certainly nothing.
+    fn cut(&self, target: &Target<'_>, face: FaceId) -> Option<(Layers, bool)> {
+        let vertices = self.mesh.triangles()[face.index()];
+        let corners = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
+        let sides = rounded_sides(target, corners);
         if sides.contains(&1) && sides.contains(&-1) {
-            return (None, true);
+            return None;
         }
         let facing = sign(turn(&self.viewpoint, corners[0], corners[1], corners[2]));
         if facing == 0 {
-            return (None, true);
+            return None;
         }
         let mut certain = true;
-        for slot in 0..3 {
-            let mut side = sides[slot];
-            if side == 0 {
-                let next = (slot + 1) % 3;
-                let (exact, is_certain) = self.exact_side(target, facing, vertices, corners, [slot, next]);
-                (side, certain) = (exact, certain && is_certain);
+        for (slot, rounded) in sides.into_iter().enumerate() {
+            let mut side = rounded;
+            if rounded == 0 {
+                let exact = self.side(target.stroke, vertices, corners, slot);
+                let (sign, is_certain) = exact.affine.sign(target.t);
+                certain &= is_certain;
+                side = sign * exact.direction;
+                if sign == 0 {
+                    side = self.covering_side(target.stroke, facing, corners, slot);
+                }
             }
             if side != facing {
-                return (None, certain);
+                return (!certain).then_some((Layers::default(), false));
             }
         }
-        let [u, v, w] = corners;
-        let ends = target.stroke.ends;
-        let above = Affine { at_a: orientation(u, v, w, ends[0]), at_b: orientation(u, v, w, ends[1]) };
-        let (above, is_certain) = above.sign(target.t);
-        let facing_kind = if facing > 0 { Facing::Front } else { Facing::Back };
-        ((above == -facing).then_some(facing_kind), certain && is_certain)
+        let (above, is_certain) = self.height(target.stroke, corners).sign(target.t);
+        certain &= is_certain;
+        let layers = if above == -facing { layer(facing) } else { Layers::default() };
+        Some((layers, certain))
     }
 
-    /// The side of the face's edge, from one corner to another, on which the sight line passes.
-    fn exact_side(
-        &self,
-        target: &Target<'_>,
-        facing: i32,
-        vertices: [u32; 3],
-        corners: [Vec3; 3],
-        [from, to]: [usize; 2],
-    ) -> (i32, bool) {
+    /// The side on which a point of the stroke lies of the face's edge from corner `slot` to the next.
+    fn side(&self, stroke: &Stroke, vertices: [u32; 3], corners: [Vec3; 3], slot: usize) -> DirectedSide {
+        let next = (slot + 1) % 3;
         // One direction for all faces at the edge, so that rounding errs alike for all of them.
-        let (low, high, direction) = if vertices[from] < vertices[to] { (from, to, 1) } else { (to, from, -1) };
-        let [a, b] = target.stroke.ends;
+        let (low, high, direction) = if vertices[slot] < vertices[next] { (slot, next, 1) } else { (next, slot, -1) };
         let turn_to = |point| turn(&self.viewpoint, corners[low], corners[high], point);
-        let (side, certain) = Affine { at_a: turn_to(a), at_b: turn_to(b) }.sign(target.t);
-        if side != 0 {
-            return (side * direction, certain);
-        }
-        // The edge covers the stroke. The face's third corner, off their common line, tells which way the edge runs.
-        let third = corners[3 - from - to];
-        let third_of_stroke = sign(turn(&self.viewpoint, a, b, third));
-        (facing * third_of_stroke * i32::from(target.stroke.side), true)
+        DirectedSide { affine: Affine { at_a: turn_to(stroke.ends[0]), at_b: turn_to(stroke.ends[1]) }, direction }
+    }
+
+    /// The same where the edge covers the stroke: the face's third corner, off their common line, tells which way the edge
+    /// runs.
+    fn covering_side(&self, stroke: &Stroke, facing: i32, corners: [Vec3; 3], slot: usize) -> i32 {
+        let third = corners[(slot + 2) % 3];
+        facing * sign(turn(&self.viewpoint, stroke.ends[0], stroke.ends[1], third)) * i32::from(stroke.side)
+    }
+
+    /// The height of a point of the stroke above the face's plane.
+    fn height(&self, stroke: &Stroke, [u, v, w]: [Vec3; 3]) -> Affine {
+        Affine { at_a: orientation(u, v, w, stroke.ends[0]), at_b: orientation(u, v, w, stroke.ends[1]) }
     }
 }
 
-/// The side of the edge from `p` to `q` on which the sight line passes: 1 for left, -1 for right, and 0 where rounding may
-/// have had a part in it.
+/// A side of an edge that may be judged against the direction in which a face has it.
+struct DirectedSide {
+    affine: Affine,
+    direction: i32,
+}
+
+fn layer(facing: i32) -> Layers {
+    Layers::of(if facing > 0 { Facing::Front } else { Facing::Back })
+}
+
+/// For each side of a face, the side on which the sight line passes: 1 for left, -1 for right, and 0 where rounding may have
+/// had a part in it.
 ///
-/// `((p - X) x (q - X)) . D` for the rounded place X and the direction D towards the viewer. In `f64` it errs by at most `9u`
-/// times the sum of the products' magnitudes, and by what the errors of X and D amount to.
-fn rounded_side(target: &Target<'_>, p: Vec3, q: Vec3) -> i32 {
-    let (x, y, z) = (p.as_dvec3() - target.place, q.as_dvec3() - target.place, target.toward_viewer);
-    let (positive, negative) =
-        (DVec3::new(x.y * y.z, x.z * y.x, x.x * y.y), DVec3::new(x.z * y.y, x.x * y.z, x.y * y.x));
-    let value = (positive - negative).dot(z);
-    let magnitude = (positive.abs() + negative.abs()).dot(z.abs());
-    let (spread, reach) = (x.abs().max_element() + y.abs().max_element(), z.abs().max_element());
-    let moved = target.error * 12.0 * (spread * (reach + spread) + target.error * (spread + reach + target.error));
-    let error = 16.0 * f64::EPSILON * magnitude + moved;
-    if value > error {
-        1
-    } else if value < -error {
-        -1
-    } else {
-        0
-    }
+/// `((p - X) x (q - X)) . D` for the rounded place X and the direction D towards the viewer, a sum of six products. In `f64`
+/// it errs by at most `9u` times the sum of their magnitudes, and by what the errors of X and D amount to.
+fn rounded_sides(target: &Target<'_>, corners: [Vec3; 3]) -> [i32; 3] {
+    let [u, v, w] = corners.map(|corner| corner.as_dvec3() - target.place);
+    let toward = target.toward_viewer;
+    let spread = u.abs().max(v.abs()).max(w.abs()).max_element();
+    let (reach, moved) = (toward.abs().max_element(), target.error);
+    let rounding = 64.0 * f64::EPSILON * spread * spread * reach;
+    let error = rounding + moved * 24.0 * ((spread + moved) * (reach + spread) + moved * moved);
+    [u.cross(v), v.cross(w), w.cross(u)].map(|normal| {
+        let value = normal.dot(toward);
+        i32::from(value > error) - i32::from(value < -error)
+    })
 }
