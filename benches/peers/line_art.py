@@ -6,8 +6,8 @@ and boundary edges alike, and no crease, intersection, material or loose edge. A
 Timed is one evaluation of the dependency graph after the object is tagged: Line Art begins anew, the mesh itself is
 evaluated already. Two metrics: "visible" (occlusion level 0 alone) and "levels 0-128", visible and hidden lines alike.
 
-Line Art decides occlusion in floating point, leaves out points of a chain that lie near a line, joins chains whose ends
-are near in the picture, and takes the boundary edges of back faces too.
+Line Art decides occlusion in floating point, joins chains over gaps that are small in the picture, and takes the
+boundary edges of back faces too.
 
 Usage:
     pip install bpy
