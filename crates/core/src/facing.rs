@@ -50,6 +50,7 @@ const RELATIVE_BOUND: f32 = 9.0 * (f32::EPSILON / 2.0);
 const UNDERFLOW_BOUND: f32 = f32::from_bits(8);
 
 /// The exact facing of a face with these corners (counter-clockwise seen from outside).
+#[inline]
 pub fn judge([v0, v1, v2]: [Vec3; 3], viewpoint: &Viewpoint) -> Judgement {
     let toward_viewer = match *viewpoint {
         Viewpoint::Perspective { eye } => eye - v0,
@@ -58,15 +59,20 @@ pub fn judge([v0, v1, v2]: [Vec3; 3], viewpoint: &Viewpoint) -> Judgement {
     if let Some(facing) = filtered(v1 - v0, v2 - v0, toward_viewer) {
         return Judgement { facing, exact_fallback: false };
     }
+    Judgement { facing: exact_facing([v0, v1, v2], viewpoint), exact_fallback: true }
+}
+
+#[cold]
+fn exact_facing([v0, v1, v2]: [Vec3; 3], viewpoint: &Viewpoint) -> Facing {
     let sign = match *viewpoint {
         Viewpoint::Perspective { eye } => side_of_point(v0, v1, v2, eye),
         Viewpoint::Orthographic { toward_viewer } => side_of_direction(v0, v1, v2, toward_viewer),
     };
-    let facing = if sign == Ordering::Greater { Facing::Front } else { Facing::Back };
-    Judgement { facing, exact_fallback: true }
+    if sign == Ordering::Greater { Facing::Front } else { Facing::Back }
 }
 
 /// The facing that `(a x b) . p` has for certain; `None` where rounding could have changed it.
+#[inline]
 fn filtered(a: Vec3, b: Vec3, p: Vec3) -> Option<Facing> {
     let (positive, negative) = (a.yzx() * b.zxy(), a.zxy() * b.yzx());
     let value = p.dot(positive - negative);

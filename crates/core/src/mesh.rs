@@ -90,11 +90,13 @@ impl TriangleMesh {
     }
 
     /// Positions in object space, indexed by [`VertexId::index`].
+    #[inline]
     pub fn positions(&self) -> &[Vec3] {
         &self.positions
     }
 
     /// Vertex indices of each face, indexed by [`FaceId::index`].
+    #[inline]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
@@ -113,6 +115,7 @@ impl TriangleMesh {
     ///
     /// # Panics
     /// If the mesh has no such face.
+    #[inline]
     pub fn corners(&self, face: FaceId) -> [Vec3; 3] {
         self.triangles[face.index()].map(|vertex| self.positions[vertex as usize])
     }

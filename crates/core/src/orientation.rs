@@ -24,21 +24,27 @@ const CERTAIN: f64 = 9.0 * (f64::EPSILON / 2.0) / RELATIVE_ERROR;
 
 /// `((b - a) x (c - a)) . (d - a)`: six times the volume of the tetrahedron, above 0 where `d` lies on the side from which
 /// `a b c` runs counter-clockwise. Within [`RELATIVE_ERROR`], 0 only for points in one plane.
+#[inline]
 pub fn orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
     // Shared vertices are the common case of points in one plane.
     if a == b || a == c || a == d || b == c || b == d || c == d {
         return 0.0;
     }
     let base = a.as_dvec3();
-    certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, d.as_dvec3() - base).unwrap_or_else(|| {
-        let faces = [(1.0, [b, c, d]), (-1.0, [a, c, d]), (1.0, [a, b, d]), (-1.0, [a, b, c])];
-        sum_of_products(faces.into_iter().flat_map(|(sign, corners)| determinant(sign, corners)))
-    })
+    certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, d.as_dvec3() - base)
+        .unwrap_or_else(|| exact_orientation(a, b, c, d))
+}
+
+#[cold]
+fn exact_orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
+    let faces = [(1.0, [b, c, d]), (-1.0, [a, c, d]), (1.0, [a, b, d]), (-1.0, [a, b, c])];
+    sum_of_products(faces.into_iter().flat_map(|(sign, corners)| determinant(sign, corners)))
 }
 
 /// How `a b c` turns as seen from `viewpoint`: above 0 for a counter-clockwise turn, where `c` lies to the left of the line
 /// from `a` to `b`. It is the number whose sign is the facing of a face with these corners. As a function of each point it
 /// is affine. Within [`RELATIVE_ERROR`]; 0 only where the three points and the eye lie in one plane.
+#[inline]
 pub fn turn(viewpoint: &Viewpoint, a: Vec3, b: Vec3, c: Vec3) -> f64 {
     match *viewpoint {
         Viewpoint::Perspective { eye } => orientation(a, b, c, eye),
@@ -46,18 +52,24 @@ pub fn turn(viewpoint: &Viewpoint, a: Vec3, b: Vec3, c: Vec3) -> f64 {
     }
 }
 
+#[inline]
 fn turn_along(direction: Vec3, a: Vec3, b: Vec3, c: Vec3) -> f64 {
     if a == b || a == c || b == c {
         return 0.0;
     }
     let base = a.as_dvec3();
-    certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, direction.as_dvec3()).unwrap_or_else(|| {
-        let sides = [[a, b, direction], [b, c, direction], [c, a, direction]];
-        sum_of_products(sides.into_iter().flat_map(|corners| determinant(1.0, corners)))
-    })
+    certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, direction.as_dvec3())
+        .unwrap_or_else(|| exact_turn_along(direction, a, b, c))
+}
+
+#[cold]
+fn exact_turn_along(direction: Vec3, a: Vec3, b: Vec3, c: Vec3) -> f64 {
+    let sides = [[a, b, direction], [b, c, direction], [c, a, direction]];
+    sum_of_products(sides.into_iter().flat_map(|corners| determinant(1.0, corners)))
 }
 
 /// `(x cross y) . z` where the filter is certain of it.
+#[inline]
 fn certain_triple(x: DVec3, y: DVec3, z: DVec3) -> Option<f64> {
     let (positive, negative) = ([x.y * y.z, x.z * y.x, x.x * y.y], [x.z * y.y, x.x * y.z, x.y * y.x]);
     let (mut value, mut magnitude) = (0.0, 0.0);

@@ -89,6 +89,7 @@ impl Topology {
     ///
     /// # Panics
     /// If the mesh has no such edge.
+    #[inline]
     pub fn half_edges(&self, edge: EdgeId) -> &[HalfEdgeId] {
         &self.incident[self.first[edge.index()] as usize..self.first[edge.index() + 1] as usize]
     }

@@ -1,9 +1,9 @@
 //! Times the lines of one view, stage by stage: `cargo run --release --example speed -- MESH...`
 //!
-//! Each mesh is prepared once and seen from three quarters as the command line sees it, 20 times; the line is that of the
-//! median.
+//! Each mesh is prepared once and seen from three quarters as the command line sees it, then from 19 more places on a
+//! circle about it; the stages are those of the median.
 
-use silhouette_core::glam::Vec3;
+use silhouette_core::glam::{Mat3, Vec3};
 use silhouette_core::view::{Framing, ViewPreset};
 use silhouette_core::{Camera, NoProgress, PreparedMesh, load};
 use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines};
@@ -11,6 +11,11 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 const RUNS: usize = 20;
+
+/// A turn about the vertical axis, a full circle in all.
+fn turn(run: usize) -> Mat3 {
+    Mat3::from_rotation_y(run as f32 * std::f32::consts::TAU / RUNS as f32)
+}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     for path in std::env::args().skip(1) {
@@ -24,10 +29,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let faces = mesh.face_count();
         let started = Instant::now();
         let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
-        let mut finder = LineFinder::new(scene, &NoProgress)?;
+        let mut finder = LineFinder::for_many_views(scene, &NoProgress)?;
         let prepared = started.elapsed();
         let mut runs: Vec<(Duration, Lines)> = Vec::new();
-        for _ in 0..RUNS {
+        for run in 0..RUNS {
+            let turned = turn(run).mul_vec3(camera.eye() - camera.target());
+            let camera =
+                Camera::new(camera.target() + turned, camera.target(), up, camera.projection(), camera.size())?;
             let started = Instant::now();
             let lines = finder.find(&camera, &LineOptions::default(), &NoProgress)?;
             runs.push((started.elapsed(), lines));

@@ -27,9 +27,11 @@ const GROWTH: f32 = 1.0e-5;
 /// Longest ray in local units: across a scene that spans -1 to 1 on each axis, twice over.
 const FAR: f32 = 8.0;
 
-/// A bounding volume hierarchy over the faces of a mesh. Memory: about 40 bytes a face.
+/// A bounding volume hierarchy over the faces of a mesh. Memory: about 70 bytes a face.
 pub struct FaceTree {
     bvh: Bvh2,
+    /// The grown boxes in the order of the leaves, so that those of a leaf lie side by side.
+    boxes: Vec<Aabb>,
     center: DVec3,
     /// Local units a world unit.
     scale: f64,
@@ -66,40 +68,57 @@ impl FaceTree {
             let mut time = Duration::ZERO;
             build_bvh2(&boxes, BvhBuildParams::fast_build(), &mut time)
         };
-        Self { bvh, center, scale }
+        let boxes = bvh.primitive_indices.iter().map(|&face| boxes[face as usize].0).collect();
+        Self { bvh, boxes, center, scale }
     }
 
     /// Visits the faces that may lie between `from` and the viewer: a superset, in no particular order, each face once.
-    pub fn faces_toward(&self, viewpoint: &Viewpoint, from: DVec3, visit: impl FnMut(FaceId)) {
+    pub fn faces_toward(&self, viewpoint: &Viewpoint, from: DVec3, mut visit: impl FnMut(FaceId)) {
         let (toward, reach) = match *viewpoint {
             Viewpoint::Perspective { eye } => (eye.as_dvec3() - from, true),
             Viewpoint::Orthographic { toward_viewer } => (toward_viewer.as_dvec3(), false),
         };
-        self.along(from, toward, reach, visit);
+        self.along(from, toward, reach, |place| visit(self.face(place)));
     }
 
-    /// Visits the faces that the segment from `a` to `b` may meet: a superset, each face at most once.
-    pub fn faces_at(&self, a: Vec3, b: Vec3, visit: impl FnMut(FaceId)) {
-        self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, visit);
+    /// Visits the faces that the segment from `a` to `b` may meet: a superset, each face once.
+    pub fn faces_at(&self, a: Vec3, b: Vec3, mut visit: impl FnMut(FaceId)) {
+        let [from, to] = [a, b].map(|end| self.local(end.as_dvec3()));
+        let (low, high) = (from.min(to), from.max(to));
+        self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, |place| {
+            let Aabb { min, max } = self.boxes[place];
+            if (min.cmple(high) & max.cmpge(low)).all() {
+                visit(self.face(place));
+            }
+        });
     }
 
     /// Visits the faces that may meet the line through `from` along `direction`, in both directions without end.
-    pub fn faces_on_line(&self, from: DVec3, direction: DVec3, visit: impl FnMut(FaceId)) {
+    pub fn faces_on_line(&self, from: DVec3, direction: DVec3, mut visit: impl FnMut(FaceId)) {
         // A ray that begins well outside of the scene.
         let Some(direction) = direction.try_normalize() else { return };
         let begin = from - direction * (f64::from(FAR) * 0.5 / self.scale);
-        self.along(begin, direction, false, visit);
+        self.along(begin, direction, false, |place| visit(self.face(place)));
     }
 
-    fn along(&self, from: DVec3, direction: DVec3, to_its_end: bool, mut visit: impl FnMut(FaceId)) {
-        let origin = ((from - self.center) * self.scale).as_vec3a();
+    fn face(&self, place: usize) -> FaceId {
+        FaceId::new(self.bvh.primitive_indices[place])
+    }
+
+    fn local(&self, point: DVec3) -> Vec3A {
+        ((point - self.center) * self.scale).as_vec3a()
+    }
+
+    /// Visits the places in the leaves that a ray may meet.
+    fn along(&self, from: DVec3, direction: DVec3, to_its_end: bool, mut visit: impl FnMut(usize)) {
+        let origin = self.local(from);
         let length = direction.length();
         if self.bvh.nodes.is_empty() || !(length > 0.0 && length.is_finite() && origin.is_finite()) {
             return;
         }
         let end = if to_its_end { (length * self.scale) as f32 * (1.0 + 1e-5) + 2.0 * GROWTH } else { FAR };
         let ray = Ray::new(origin, (direction / length).as_vec3a(), 0.0, end.min(FAR));
-        self.bvh.ray_traverse_anyhit(ray, |_, place| visit(FaceId::new(self.bvh.primitive_indices[place])));
+        self.bvh.ray_traverse_anyhit(ray, |_, place| visit(place));
     }
 }
 
@@ -115,7 +134,9 @@ impl Artefact for FaceTree {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self.bvh.nodes.as_slice()) + size_of_val(self.bvh.primitive_indices.as_slice())
+        size_of_val(self.bvh.nodes.as_slice())
+            + size_of_val(self.bvh.primitive_indices.as_slice())
+            + size_of_val(self.boxes.as_slice())
     }
 }
 

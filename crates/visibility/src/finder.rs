@@ -8,14 +8,16 @@ use crate::join::join;
 use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
 use crate::picture_grid::PictureGrid;
-use crate::pieces::{CutStats, CutterScratch, StrokeCutter, emit};
+use crate::pieces::{ClearEdges, CutStats, CutterScratch, StrokeCutter, emit};
 use crate::propagate::{CutStroke, Propagation};
 use crate::scene::LineScene;
 use crate::select::{FeatureEdges, mesh_strokes};
 use crate::sight::Sight;
 use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
-use silhouette_core::{Camera, Cancelled, FaceFacings, Progress, SilhouetteEdges, Topology};
+use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::{Camera, Cancelled, ExtractsEdges, FaceFacings, Method, Progress, SilhouetteEdges, Topology};
+use silhouette_extraction::ClusterCones;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
@@ -53,6 +55,9 @@ pub struct LineFinder {
     facings: FaceFacings,
     silhouette: SilhouetteEdges,
     features: Option<(LineOptions, FeatureEdges)>,
+    clear_edges: ClearEdges,
+    /// Finds the silhouette without looking at all faces, where many views are wanted.
+    cones: Option<ClusterCones>,
 }
 
 /// Who asks for artefacts.
@@ -68,6 +73,7 @@ impl LineFinder {
         let (topology, tree) = rayon::join(|| mesh.artefact(NAME, progress), || mesh.artefact(NAME, progress));
         let (topology, tree) = (topology?, tree?);
         let (unpaired, vertex_faces) = (mesh.artefact(NAME, progress)?, mesh.artefact(NAME, progress)?);
+        let edge_count = Topology::edge_count(&topology);
         let reach = mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element());
         Ok(Self {
             topology,
@@ -78,8 +84,21 @@ impl LineFinder {
             facings: FaceFacings::default(),
             silhouette: SilhouetteEdges::default(),
             features: None,
+            clear_edges: ClearEdges::new(edge_count),
+            cones: None,
             scene,
         })
+    }
+
+    /// The same for many views: also prepares a search tree over planes, after which the silhouette of a view is found in
+    /// time that grows with its length instead of with the mesh. About twice the preparation.
+    ///
+    /// # Errors
+    /// [`PrepareError`] when `progress` cancels.
+    pub fn for_many_views(scene: LineScene, progress: &dyn Progress) -> Result<Self, PrepareError> {
+        let options = OptionValues::defaults(ClusterCones::INFO.options);
+        let cones = ClusterCones::prepare(scene.mesh(), &options, progress)?;
+        Ok(Self { cones: Some(cones), ..Self::new(scene, progress)? })
     }
 
     /// The scene.
@@ -102,8 +121,12 @@ impl LineFinder {
         progress.check()?;
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
-        self.facings.classify(mesh, &viewpoint);
-        self.silhouette = SilhouetteEdges::of(&self.topology, &self.facings);
+        if let Some(cones) = &mut self.cones {
+            cones.extract_edges(&viewpoint, &mut self.silhouette);
+        } else {
+            self.facings.classify(mesh, &viewpoint);
+            self.silhouette = SilhouetteEdges::of(&self.topology, &self.facings);
+        }
         if self.features.as_ref().is_none_or(|(of, _)| of != options) {
             self.features = Some((options.clone(), FeatureEdges::new(&self.scene, &self.topology, options)));
         }
@@ -132,6 +155,7 @@ impl LineFinder {
             grid: &grid,
             finder,
             sight,
+            clear_edges: &self.clear_edges,
         };
         let cuts = cut_all(&cutter, &clipped, progress)?;
         let propagation = Propagation { strokes: &strokes, sight, vertex_faces: &self.vertex_faces };

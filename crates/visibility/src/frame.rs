@@ -11,6 +11,8 @@ pub struct Homogeneous {
     pub scaled_pixel: DVec2,
     /// Above 0 in front of the eye.
     pub w: f64,
+    /// Distance along the viewing axis.
+    pub depth: f64,
 }
 
 impl Homogeneous {
@@ -29,12 +31,37 @@ pub struct ClippedEdge {
     pub pixels: [DVec2; 2],
     /// By how much rounding may have moved them, in pixels.
     pub doubt_px: f64,
+    /// Least and largest distance along the viewing axis, doubt included.
+    pub depths: [f64; 2],
+}
+
+/// Where two edges lie to each other in the picture, as far as rounded pixels tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Overlap {
+    /// They do not meet, nor does one touch an end of the other, or the second is farther from the viewer.
+    None,
+    /// They may.
+    Possible,
 }
 
 impl ClippedEdge {
     /// Length in the picture.
     pub fn length_px(&self) -> f64 {
         self.pixels[0].distance(self.pixels[1])
+    }
+
+    /// Whether `contour` may pass in front of this edge or its ends within `reach_px`. Errs to the safe side.
+    pub fn overlap(&self, contour: &Self, reach_px: f64) -> Overlap {
+        let reach = self.doubt_px + contour.doubt_px + reach_px;
+        if contour.depths[0] > self.depths[1] {
+            return Overlap::None;
+        }
+        let ([a, b], [p, q]) = (self.pixels, contour.pixels);
+        let apart = (a.min(b) - p.max(q)).max(p.min(q) - a.max(b));
+        if apart.max_element() > reach || beside([a, b], [p, q], reach) || beside([p, q], [a, b], reach) {
+            return Overlap::None;
+        }
+        Overlap::Possible
     }
 
     /// Distance of a pixel from it; NaN where the edge passes through the eye.
@@ -46,11 +73,19 @@ impl ClippedEdge {
     }
 }
 
+/// Whether both points lie farther than `reach` on one side of the line through two others. Never for what is not finite.
+fn beside([a, b]: [DVec2; 2], points: [DVec2; 2], reach: f64) -> bool {
+    let along = b - a;
+    let [p, q] = points.map(|point| along.perp_dot(point - a));
+    let margin = reach * (along.x.abs() + along.y.abs());
+    p > margin && q > margin || p < -margin && q < -margin
+}
+
 /// A camera as a map to homogeneous pixels.
 #[derive(Debug, Clone, Copy)]
 pub struct PictureFrame {
-    /// Rows that yield pixel x times w, pixel y times w, and w of a world point.
-    rows: [DVec4; 3],
+    /// Rows that yield pixel x times w, pixel y times w, w, and depth of a world point.
+    rows: [DVec4; 4],
     size: DVec2,
     /// Upper bound of the error of a row's value for points of the scene.
     error: f64,
@@ -65,7 +100,8 @@ impl PictureFrame {
             Projection::Perspective { .. } => (-view.z_axis, camera.pixels_per_unit(1.0)),
             Projection::Orthographic { .. } => (DVec4::W, camera.pixels_per_unit(1.0)),
         };
-        let rows = [view.x_axis * scale + w * (size.x * 0.5), w * (size.y * 0.5) - view.y_axis * scale, w];
+        let (x, y) = (view.x_axis * scale + w * (size.x * 0.5), w * (size.y * 0.5) - view.y_axis * scale);
+        let rows = [x, y, w, -view.z_axis];
         let magnitude = |row: &DVec4| row.truncate().abs().element_sum() * reach + row.w.abs();
         let error = rows.iter().map(magnitude).fold(0.0, f64::max) * 16.0 * f64::EPSILON;
         Self { rows, size, error }
@@ -73,8 +109,8 @@ impl PictureFrame {
 
     /// A point of the world, undivided.
     pub fn map(&self, world: DVec3) -> Homogeneous {
-        let [x, y, w] = self.rows.map(|row| row.dot(world.extend(1.0)));
-        Homogeneous { scaled_pixel: DVec2::new(x, y), w }
+        let [x, y, w, depth] = self.rows.map(|row| row.dot(world.extend(1.0)));
+        Homogeneous { scaled_pixel: DVec2::new(x, y), w, depth }
     }
 
     /// Width and height in pixels.
@@ -101,11 +137,15 @@ impl PictureFrame {
         if range[0] >= range[1] {
             return None;
         }
-        let at =
-            |t: f64| Homogeneous { scaled_pixel: a.scaled_pixel.lerp(b.scaled_pixel, t), w: a.w + (b.w - a.w) * t };
+        let at = |t: f64| Homogeneous {
+            scaled_pixel: a.scaled_pixel.lerp(b.scaled_pixel, t),
+            w: a.w + (b.w - a.w) * t,
+            depth: a.depth + (b.depth - a.depth) * t,
+        };
         let [from, to] = range.map(at);
         // The farther the point from the eye's plane, the less an error of the numerator shows.
         let doubt_px = self.error * (1.0 + self.size.max_element()) / from.w.min(to.w).max(f64::MIN_POSITIVE);
-        Some(ClippedEdge { range, pixels: [from.pixel(), to.pixel()], doubt_px })
+        let depths = [from.depth.min(to.depth) - self.error, from.depth.max(to.depth) + self.error];
+        Some(ClippedEdge { range, pixels: [from.pixel(), to.pixel()], doubt_px, depths })
     }
 }

@@ -1,12 +1,15 @@
 //! Steps 4 to 6 for one stroke: its events, and the gaps between them; and step 8, its pieces.
 
+use crate::chains::SegmentSource;
 use crate::contours::{Contour, ContourFinder, Layers};
 use crate::events::{Depth, Event, crossing, piercing, touches};
-use crate::frame::ClippedEdge;
+use crate::frame::{ClippedEdge, Overlap};
 use crate::gaps::{self, Gap};
 use crate::picture_grid::PictureGrid;
 use crate::sight::Sight;
 use crate::stroke::{Stroke, Strokes};
+use silhouette_core::EdgeId;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A part of a stroke with one invisibility.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +49,28 @@ pub struct StrokeCutter<'a> {
     pub finder: ContourFinder<'a>,
     /// Faces by place.
     pub sight: Sight<'a>,
+    /// Mesh edges that have been found to meet no face but their neighbours.
+    pub clear_edges: &'a ClearEdges,
+}
+
+/// Mesh edges that are known to meet no face but those at their vertices: a bit an edge, learnt from view to view, since it
+/// does not depend on the view.
+#[derive(Debug, Default)]
+pub struct ClearEdges(Vec<AtomicU64>);
+
+impl ClearEdges {
+    /// Nothing is known of any edge.
+    pub fn new(edges: usize) -> Self {
+        Self((0..edges.div_ceil(64)).map(|_| AtomicU64::new(0)).collect())
+    }
+
+    fn contains(&self, edge: EdgeId) -> bool {
+        self.0[edge.index() / 64].load(Ordering::Relaxed) >> (edge.index() % 64) & 1 == 1
+    }
+
+    fn insert(&self, edge: EdgeId) {
+        self.0[edge.index() / 64].fetch_or(1 << (edge.index() % 64), Ordering::Relaxed);
+    }
 }
 
 /// Memory that is reused from stroke to stroke.
@@ -76,7 +101,18 @@ impl StrokeCutter<'_> {
     ) -> [bool; 2] {
         let stroke = &self.strokes.strokes[index as usize];
         let mut touched = self.find_crossings(index, clipped, Depth::Nearer, scratch);
-        let touched_in_space = self.find_piercings(stroke, scratch);
+        let touched_in_space = match stroke.source {
+            SegmentSource::Edge(edge) if self.clear_edges.contains(edge) => [false; 2],
+            SegmentSource::Edge(edge) => {
+                let crossings = scratch.events.len();
+                let touched = self.find_piercings(stroke, scratch);
+                if touched == [false; 2] && scratch.events.len() == crossings {
+                    self.clear_edges.insert(edge);
+                }
+                touched
+            }
+            _ => self.find_piercings(stroke, scratch),
+        };
         gaps::part(clipped.range, &mut scratch.events, gaps);
         scratch.stats.events += scratch.events.len() as u64;
         for end in 0..2 {
@@ -105,13 +141,15 @@ impl StrokeCutter<'_> {
                 continue;
             }
             let contour = &self.contours[contour_index as usize];
+            let place = self.clipped_contours[contour_index as usize].as_ref();
+            let Some(place) = place.filter(|place| clipped.overlap(place, TOUCH_PX) == Overlap::Possible) else {
+                continue;
+            };
             let shared = stroke.vertices.map(|vertex| contour.vertices.contains(&vertex));
-            if let Some(place) = &self.clipped_contours[contour_index as usize] {
-                let reach = clipped.doubt_px + place.doubt_px + TOUCH_PX;
-                for end in 0..2 {
-                    let is_far = place.distance_px(clipped.pixels[end]) > reach;
-                    touched[end] |= !shared[end] && !is_far;
-                }
+            let reach = clipped.doubt_px + place.doubt_px + TOUCH_PX;
+            for end in 0..2 {
+                let is_far = place.distance_px(clipped.pixels[end]) > reach;
+                touched[end] |= !shared[end] && !is_far;
             }
             // Edges that share a vertex meet there and nowhere else.
             if shared.contains(&true) {
