@@ -13,6 +13,7 @@ use crate::propagate::{CutStroke, Propagation};
 use crate::scene::LineScene;
 use crate::select::{FeatureEdges, mesh_strokes};
 use crate::sight::Sight;
+use crate::stroke::Stroke;
 use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
 use silhouette_core::method::{OptionValues, PrepareError};
@@ -59,6 +60,9 @@ pub struct LineFinder {
     /// Finds the silhouette without looking at all faces, where many views are wanted.
     cones: Option<ClusterCones>,
 }
+
+/// An edge whose place in the picture is less certain than this comes so close to the eye that it may pass through it.
+const NEAR_EYE_DOUBT_PX: f64 = 1e-6;
 
 /// Who asks for artefacts.
 const NAME: &str = "visible-lines";
@@ -143,7 +147,12 @@ impl LineFinder {
         let clip_contour = |contour: &Contour| frame.clip(contour.ends, 1.0);
         let clipped_contours: Vec<_> = contours.par_iter().map(clip_contour).collect();
         let grid = PictureGrid::new(&frame, &clipped_contours);
-        let clipped: Vec<_> = strokes.strokes.par_iter().map(|stroke| frame.clip(stroke.ends, 0.0)).collect();
+        // An edge through the eye has no place in the picture but a point.
+        let clip_stroke = |stroke: &Stroke| {
+            let clipped = frame.clip(stroke.ends, 0.0);
+            clipped.filter(|edge| edge.doubt_px < NEAR_EYE_DOUBT_PX || !stroke.is_seen_end_on(&viewpoint))
+        };
+        let clipped: Vec<_> = strokes.strokes.par_iter().map(clip_stroke).collect();
         stats.project = started.elapsed();
 
         let started = Instant::now();

@@ -2,8 +2,9 @@
 
 use crate::chains::SegmentSource;
 use crate::kind::LineKind;
-use silhouette_core::FaceId;
 use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::orientation::turn;
+use silhouette_core::{FaceId, Viewpoint};
 use std::ops::Range;
 
 /// No mesh vertex: an end of a stroke that is not a mesh edge.
@@ -32,6 +33,18 @@ impl Stroke {
     /// The point at a parameter from 0 at the first end to 1 at the second.
     pub fn at(&self, t: f64) -> DVec3 {
         self.ends[0].as_dvec3().lerp(self.ends[1].as_dvec3(), t)
+    }
+
+    /// Whether the stroke's line passes through the viewer, so that all of it appears as a point. Exact. O(1).
+    pub fn is_seen_end_on(&self, viewpoint: &Viewpoint) -> bool {
+        let [a, b] = self.ends;
+        let step = a.abs().max(b.abs()).max_element();
+        // A plane through the line that holds one more point along each axis is no plane.
+        [0, 1, 2].into_iter().all(|axis| {
+            let mut beside = a;
+            beside[axis] += if a[axis] > 0.0 { -step } else { step };
+            turn(viewpoint, a, b, beside) == 0.0
+        })
     }
 }
 

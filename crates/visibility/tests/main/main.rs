@@ -1,5 +1,10 @@
 //! Visible lines against brute force, closed forms and hostile scenes.
 
+mod closed_forms;
+mod determinism;
+mod hostile;
+mod octants;
 mod oracle;
 mod rays;
 mod scenes;
+mod soups;

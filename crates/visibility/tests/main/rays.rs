@@ -3,7 +3,7 @@
 use crate::oracle;
 use crate::scenes::{all_lines, builtin, directions, framing, model};
 use silhouette_core::glam::DVec3;
-use silhouette_core::{Topology, TriangleMesh};
+use silhouette_core::{Camera, Projection, Topology, TriangleMesh};
 use silhouette_visibility::{LineOptions, Lines, SegmentSource};
 
 /// Share of the picture that a decision keeps from the nearest end of its piece.
@@ -11,18 +11,32 @@ const CLEARANCE: f64 = 1e-4;
 
 /// What a comparison saw.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
-struct Tally {
-    samples: usize,
-    wrong: usize,
+pub struct Tally {
+    /// Points compared.
+    pub samples: usize,
+    /// Those with another invisibility.
+    pub wrong: usize,
     /// Points at which a sight line runs exactly through an edge.
-    ties: usize,
-    hidden: usize,
+    pub ties: usize,
+    /// Points compared that are hidden.
+    pub hidden: usize,
+}
+
+/// Share of the way from one point to the other in space at which the given share of the way in the picture lies.
+fn in_space(camera: &Camera, ends: [DVec3; 2], share: f64) -> f64 {
+    match camera.projection() {
+        Projection::Orthographic { .. } => share,
+        Projection::Perspective { .. } => {
+            let [from, to] = ends.map(|end| -camera.view_matrix().transform_point3(end).z);
+            share * from / (to + share * (from - to))
+        }
+    }
 }
 
 /// Compares about `wanted` points, spread evenly along all lines.
-fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
+pub fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
     let topology = Topology::new(mesh);
-    let clearance_px = CLEARANCE * f64::from(lines.camera.size()[0]);
+    let clearance_px = CLEARANCE * f64::from(lines.camera.size()[0].max(lines.camera.size()[1]));
     let total: f64 = lines.chains.iter().map(|chain| chain.length_px()).sum();
     let spacing = total / wanted as f64;
     let mut tally = Tally::default();
@@ -43,7 +57,7 @@ fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
                 let points = [segment, (segment + 1) % chain.points.len()].map(|index| chain.points[index]);
                 let vertices = topology.end_points(edge).map(|vertex| vertex.get());
                 let ends = vertices.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
-                let point = points[0].lerp(points[1], at / length);
+                let point = points[0].lerp(points[1], in_space(&lines.camera, points, at / length));
                 let t = point.distance(ends[0]) / ends[1].distance(ends[0]);
                 match oracle::invisibility(mesh, &lines.camera.viewpoint(), vertices, oracle::nearest_step(t)) {
                     None => tally.ties += 1,

@@ -1,0 +1,186 @@
+//! The same bits whatever the threads and whatever was asked before; cancelling at any moment; bounded memory.
+
+use crate::scenes::{all_lines, builtin, directions, framing};
+use silhouette_core::glam::{DVec2, DVec3};
+use silhouette_core::{Cancelled, NoProgress, PreparedMesh, Progress};
+use silhouette_visibility::{ChainStyle, LineError, LineFinder, LineOptions, LineScene, Lines, SegmentSource};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// A chain with its numbers as bits, so that 0 and -0 differ and a NaN equals itself.
+type ChainBits = (ChainStyle, bool, Vec<[u64; 3]>, Vec<[u64; 2]>, Vec<SegmentSource>, Vec<[[u64; 2]; 2]>);
+
+fn bits(lines: &Lines) -> (Vec<ChainBits>, Vec<Vec<[u64; 2]>>) {
+    let chains = lines.chains.iter().map(|chain| {
+        (
+            chain.style,
+            chain.closed,
+            chain.points.iter().map(|point| point.to_array().map(f64::to_bits)).collect(),
+            chain.pixels.iter().map(|pixel| pixel.to_array().map(f64::to_bits)).collect(),
+            chain.sources.to_vec(),
+            chain.handles.iter().map(|pair| pair.map(|handle| handle.to_array().map(f64::to_bits))).collect(),
+        )
+    });
+    let polygon = |polygon: &Vec<DVec2>| polygon.iter().map(|pixel| pixel.to_array().map(f64::to_bits)).collect();
+    (chains.collect(), lines.outline.iter().map(polygon).collect())
+}
+
+fn with_threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap().install(work)
+}
+
+/// Everything that is drawn without curves, hidden lines included.
+fn options() -> LineOptions {
+    let (ridge_deg, valley_deg) = (Some(30.0), Some(30.0));
+    LineOptions { ridge_deg, valley_deg, mesh: true, max_invisibility: u32::MAX, ..LineOptions::default() }
+}
+
+const SHAPES: [&str; 5] = ["knot", "gear", "blob:3000", "moebius", "grid"];
+
+#[test]
+fn any_number_of_threads_yields_the_same_bits() {
+    for name in SHAPES {
+        let mesh = builtin(name);
+        for (index, direction) in directions(3).chain([DVec3::X]).enumerate() {
+            let camera = framing(&mesh, direction, index % 2 == 0);
+            let find = |threads| with_threads(threads, || bits(&all_lines(&mesh, &camera, &options())));
+            let alone = find(1);
+            assert!(alone.0.len() > 4, "{name}: {} chains", alone.0.len());
+            assert!([2, 5, 1].map(find).iter().all(|other| *other == alone), "{name} from {direction}");
+        }
+    }
+}
+
+/// A finder yields what a fresh one yields, whatever views and options it was asked before.
+#[test]
+fn earlier_views_leave_no_trace() {
+    for name in SHAPES {
+        let mesh = builtin(name);
+        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+        let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
+        let cameras: Vec<_> = directions(3).map(|direction| framing(&mesh, direction, true)).collect();
+        for round in 0..3 {
+            for camera in cameras.iter().chain(&cameras[..1]) {
+                let options = if round == 1 { LineOptions::default() } else { options() };
+                let mut fresh = LineFinder::new(finder.scene().clone(), &NoProgress).unwrap();
+                let expected = bits(&fresh.find(camera, &options, &NoProgress).unwrap());
+                assert!(bits(&finder.find(camera, &options, &NoProgress).unwrap()) == expected, "{name}");
+            }
+        }
+    }
+}
+
+/// The comparison can fail: another view has other bits.
+#[test]
+fn another_view_has_other_bits() {
+    let mesh = builtin("knot");
+    let [one, other] = [0.2, 0.200_001].map(|x| framing(&mesh, DVec3::new(x, 0.3, 1.0), true));
+    assert!(bits(&all_lines(&mesh, &one, &options())) != bits(&all_lines(&mesh, &other, &options())));
+}
+
+/// Cancels from a given poll on.
+struct CancelAt {
+    polls: AtomicU64,
+    at: u64,
+}
+
+impl CancelAt {
+    fn new(at: u64) -> Self {
+        Self { polls: AtomicU64::new(0), at }
+    }
+}
+
+impl Progress for CancelAt {
+    fn stage(&self, _name: &str, _total: u64) {}
+    fn advance(&self, _steps: u64) {}
+    fn is_cancelled(&self) -> bool {
+        self.polls.fetch_add(1, Ordering::Relaxed) >= self.at
+    }
+}
+
+#[test]
+fn a_view_cancelled_at_any_poll_leaves_the_finder_as_it_was() {
+    let mesh = builtin("knot");
+    let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
+    let other = framing(&mesh, DVec3::new(-1.0, 0.4, 0.2), false);
+    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
+    let options = LineOptions::default();
+    let find = |finder: &mut LineFinder, camera| bits(&finder.find(camera, &options, &NoProgress).unwrap());
+    let expected =
+        [&camera, &other].map(|camera| find(&mut LineFinder::new(scene.clone(), &NoProgress).unwrap(), camera));
+    for threads in [1, 3] {
+        with_threads(threads, || {
+            let mut cancelled = 0;
+            loop {
+                let mut finder = LineFinder::new(scene.clone(), &NoProgress).unwrap();
+                // With the remains of another view in it.
+                find(&mut finder, &other);
+                match finder.find(&camera, &options, &CancelAt::new(cancelled)) {
+                    Err(error) => assert_eq!(error, LineError::Cancelled(Cancelled)),
+                    Ok(lines) => {
+                        assert!(bits(&lines) == expected[0]);
+                        break;
+                    }
+                }
+                assert!(find(&mut finder, &camera) == expected[0], "after a view cancelled at poll {cancelled}");
+                assert!(find(&mut finder, &other) == expected[1]);
+                cancelled += 1;
+            }
+            assert!(cancelled > 5, "polled before each stage and each part of the strokes, not {cancelled} times");
+        });
+    }
+}
+
+#[test]
+fn preparation_cancelled_at_any_poll_can_begin_again() {
+    let mesh = Arc::new(PreparedMesh::new(builtin("gear")));
+    let mut cancelled = 0;
+    while LineFinder::new(LineScene::new(Arc::clone(&mesh)), &CancelAt::new(cancelled)).is_err() {
+        cancelled += 1;
+        assert!(cancelled < 10_000, "preparation never gets through");
+    }
+    assert!(cancelled > 0, "preparation is never polled");
+    let fresh = Arc::new(PreparedMesh::new(builtin("gear")));
+    let camera = framing(fresh.mesh(), DVec3::new(0.5, 0.4, 1.0), true);
+    let find = |mesh: Arc<PreparedMesh>| {
+        let mut finder = LineFinder::new(LineScene::new(mesh), &NoProgress).unwrap();
+        bits(&finder.find(&camera, &options(), &NoProgress).unwrap())
+    };
+    assert!(find(mesh) == find(fresh));
+}
+
+/// Peak of what a view allocates, in bytes, and the edges and contours that it looked at.
+fn peak(name: &str, options: &LineOptions) -> (u64, u64) {
+    with_threads(1, || {
+        let mesh = builtin(name);
+        let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
+        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
+        let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
+        let mut items = 0;
+        let allocated = allocation_counter::measure(|| {
+            let lines = finder.find(&camera, options, &NoProgress).unwrap();
+            items = lines.stats.edges + lines.stats.contours + lines.stats.events;
+        });
+        (allocated.bytes_max, items)
+    })
+}
+
+/// Bytes that an edge, contour or event may take at the peak: an edge as stroke (112), clipped (64), in a piece (80),
+/// placed (150) and in two sets of chains (2 x 150), each array up to twice as long as it is full.
+const BYTES_PER_ITEM: u64 = 1400;
+
+/// Bytes a face, for the facings and the silhouette of any view.
+const BYTES_PER_FACE: u64 = 8;
+
+#[test]
+fn memory_of_a_view_grows_with_what_is_drawn() {
+    for name in ["icosphere:3", "icosphere:5", "torus:64,32", "knot", "grid:200,200"] {
+        for options in [LineOptions::default(), options()] {
+            let (bytes, items) = peak(name, &options);
+            let faces = builtin(name).face_count() as u64;
+            eprintln!("{name}: {bytes} bytes, {items} items, {faces} faces");
+            let bound = items * BYTES_PER_ITEM + faces * BYTES_PER_FACE + (1 << 16);
+            assert!(bytes < bound, "{name}: {bytes} bytes for {items} edges, contours and events");
+        }
+    }
+}

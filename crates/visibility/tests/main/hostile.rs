@@ -1,0 +1,301 @@
+//! Scenes that break the usual assumptions: each yields what brute force yields, or a clear error, and never a panic.
+
+use crate::rays::{Tally, compare};
+use crate::scenes::{all_lines, builtin, directions, framing};
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::view::MAX_VIEWPORT;
+use silhouette_core::{Camera, NoProgress, PreparedMesh, Projection, Topology, TriangleMesh};
+use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines};
+use std::sync::Arc;
+
+/// Silhouette and boundary edges alone, and every mesh edge.
+fn all_options() -> [LineOptions; 2] {
+    [LineOptions::default(), LineOptions { mesh: true, ..LineOptions::default() }]
+}
+
+/// Holds lines against brute force in about `wanted` points, and their pixels against the picture's border. Yields what
+/// the comparison saw, or what is wrong.
+fn hold(mesh: &TriangleMesh, lines: &Lines, wanted: usize, what: &str) -> Result<Tally, String> {
+    let [width, height] = lines.camera.size().map(f64::from);
+    for pixel in lines.chains.iter().flat_map(|chain| chain.pixels) {
+        let margin = 1e-6 * width.max(height);
+        let is_inside = (-margin..=width + margin).contains(&pixel.x) && (-margin..=height + margin).contains(&pixel.y);
+        if !is_inside {
+            return Err(format!("{what}: {pixel} in a picture of {width}x{height}"));
+        }
+    }
+    let tally = compare(mesh, lines, wanted);
+    if tally.wrong > 0 { Err(format!("{what}: {tally:?}")) } else { Ok(tally) }
+}
+
+/// The same, where nothing may be wrong.
+fn check(mesh: &TriangleMesh, lines: &Lines, wanted: usize, what: &str) -> Tally {
+    hold(mesh, lines, wanted, what).unwrap_or_else(|wrong| panic!("{wrong}"))
+}
+
+/// Checks a mesh from several sides, perspective and orthographic; yields what all comparisons saw together.
+fn check_around(mesh: &TriangleMesh, views: usize, what: &str) -> Tally {
+    let mut sum = Tally::default();
+    for (index, direction) in directions(views).chain([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]).enumerate() {
+        let camera = framing(mesh, direction, index % 2 == 0);
+        for options in all_options() {
+            let tally = check(mesh, &all_lines(mesh, &camera, &options), 400, &format!("{what} from {direction}"));
+            sum.samples += tally.samples;
+            sum.hidden += tally.hidden;
+            sum.ties += tally.ties;
+        }
+    }
+    eprintln!("{what}: {sum:?}");
+    assert!(sum.samples > 400, "{what}: {sum:?}");
+    sum
+}
+
+/// A camera at `eye` that looks at `target`.
+fn look(eye: Vec3, target: Vec3, fov_deg: f64, size: [u32; 2]) -> Camera {
+    let projection = Projection::Perspective { fov_y_rad: fov_deg.to_radians() };
+    Camera::new(eye, target, (target - eye).any_orthogonal_vector(), projection, size).unwrap()
+}
+
+fn moved(mesh: &TriangleMesh, by: Vec3) -> TriangleMesh {
+    let positions = mesh.positions().iter().map(|&position| position + by).collect();
+    TriangleMesh::new(positions, mesh.triangles().to_vec()).unwrap()
+}
+
+/// Meshes in one space, as the scene joins them.
+fn joined(meshes: &[&TriangleMesh]) -> TriangleMesh {
+    LineScene::of_meshes(meshes).unwrap().mesh().mesh().as_ref().clone()
+}
+
+fn turned_inside_out(mesh: &TriangleMesh, is_turned: impl Fn(usize) -> bool) -> TriangleMesh {
+    let turn = |(face, &[a, b, c]): (usize, &[u32; 3])| if is_turned(face) { [a, c, b] } else { [a, b, c] };
+    let triangles = mesh.triangles().iter().enumerate().map(turn).collect();
+    TriangleMesh::new(mesh.positions().to_vec(), triangles).unwrap()
+}
+
+fn triangles(corners: &[[f32; 3]], triangles: &[[u32; 3]]) -> TriangleMesh {
+    TriangleMesh::new(corners.iter().copied().map(Vec3::from).collect(), triangles.to_vec()).unwrap()
+}
+
+#[test]
+fn coincident_faces() {
+    for name in ["cube", "torus:16,12", "grid:4,4", "gear"] {
+        let mesh = builtin(name);
+        check_around(&joined(&[&mesh, &mesh]), 3, name);
+        let reversed = turned_inside_out(&mesh, |_| true);
+        check_around(&joined(&[&mesh, &reversed]), 3, &format!("{name} and its reverse"));
+    }
+    // The same faces over the same vertices: each edge has four faces.
+    let cube = builtin("cube");
+    let twice = [cube.triangles(), cube.triangles()].concat();
+    check_around(&TriangleMesh::new(cube.positions().to_vec(), twice).unwrap(), 3, "each face twice");
+    // Cubes that share a side, and one that stands on a larger one: faces in one plane, overlapping in part.
+    check_around(&joined(&[&cube, &moved(&cube, Vec3::new(2.0, 0.0, 0.0))]), 4, "two cubes side by side");
+    check_around(&joined(&[&cube, &moved(&cube, Vec3::new(1.0, 2.0, 0.5))]), 4, "a cube on a cube");
+}
+
+#[test]
+fn meshes_that_pass_through_each_other() {
+    let cube = builtin("cube");
+    for by in [Vec3::new(0.7, 0.4, 0.9), Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)] {
+        let seen = check_around(&joined(&[&cube, &moved(&cube, by)]), 6, &format!("cubes {by} apart"));
+        assert!(seen.hidden > 0);
+    }
+    let blob = builtin("blob:2000");
+    let reach = blob.bounds().unwrap().radius as f32;
+    let seen = check_around(&joined(&[&blob, &moved(&blob, Vec3::new(0.6, 0.3, -0.2) * reach)]), 3, "two blobs");
+    assert!(seen.hidden > seen.samples / 10, "{seen:?}");
+    check_around(&joined(&[&builtin("torus:24,16"), &builtin("grid:6,6"), &cube]), 3, "torus, sheet and cube");
+}
+
+#[test]
+fn t_junctions() {
+    // A vertex of the two small faces lies in the middle of the large one's edge, exactly and not quite.
+    for middle in [0.0, 1e-6] {
+        let corners = [
+            [-1.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, -0.5],
+            [0.0, middle, 0.0],
+            [-0.7, -1.0, -0.6],
+            [0.7, -1.0, 0.3],
+        ];
+        let mesh = triangles(&corners, &[[0, 1, 2], [0, 4, 3], [3, 5, 1]]);
+        check_around(&mesh, 8, &format!("a T-junction, {middle} off"));
+    }
+}
+
+#[test]
+fn open_and_non_manifold_meshes() {
+    for name in ["grid:6,5", "moebius", "cone"] {
+        check_around(&builtin(name), 4, name);
+    }
+    let torus = builtin("torus:24,16");
+    let kept = torus.triangles().iter().enumerate().filter(|(face, _)| face % 5 != 0 && face % 7 != 0);
+    let holes = TriangleMesh::new(torus.positions().to_vec(), kept.map(|(_, &face)| face).collect()).unwrap();
+    check_around(&holes, 4, "a torus with holes");
+    // A book: seven pages around one spine, their winding alternating; the first one twice.
+    let page = |index: u32| {
+        let (sin, cos) = (index as f32 * 0.8).sin_cos();
+        [[cos, 1.0, sin], [cos, -1.0, sin]]
+    };
+    let corners: Vec<[f32; 3]> = [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]].into_iter().chain((0..7).flat_map(page)).collect();
+    let faces = |index: u32| {
+        let [top, bottom] = [2 + 2 * index, 3 + 2 * index];
+        if index % 2 == 0 { [[0, 1, bottom], [0, bottom, top]] } else { [[0, bottom, 1], [0, top, bottom]] }
+    };
+    let pages: Vec<[u32; 3]> = (0..7).flat_map(faces).chain(faces(0)).collect();
+    check_around(&triangles(&corners, &pages), 8, "a book");
+}
+
+#[test]
+fn inconsistent_winding() {
+    for name in ["cube", "torus:16,12", "knot", "gear"] {
+        check_around(&turned_inside_out(&builtin(name), |face| face % 3 == 0 || face % 7 == 2), 3, name);
+        check_around(&turned_inside_out(&builtin(name), |_| true), 2, name);
+    }
+}
+
+#[test]
+fn needles_and_faces_without_area() {
+    let torus = builtin("torus:16,12");
+    let faces = torus.triangles().iter().flat_map(|&[a, b, c]| {
+        // A face along an edge and back, one that is a point, and the true one.
+        [[a, b, a], [c, c, c], [a, b, c]]
+    });
+    check_around(&TriangleMesh::new(torus.positions().to_vec(), faces.collect()).unwrap(), 3, "faces of two corners");
+    // Slivers: corners on a line, exactly or but for a last bit; needles a millionth as wide as long.
+    let mut corners = Vec::new();
+    for index in 0..24_u32 {
+        let at = index as f32 / 24.0;
+        let width = [0.0, 1e-6, 1e-3][index as usize % 3];
+        corners.extend([[-1.0, at, -at], [1.0, at + width, 0.3 - at], [0.25, at + width * 0.6, 0.1875 - at]]);
+    }
+    let faces: Vec<[u32; 3]> = (0..24).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+    check_around(&joined(&[&triangles(&corners, &faces), &builtin("cube")]), 4, "needles");
+}
+
+#[test]
+fn nothing_to_draw() {
+    let nothing = TriangleMesh::new(Vec::new(), Vec::new()).unwrap();
+    let points = triangles(&[[0.0; 3], [1.0; 3]], &[[0, 0, 0], [1, 1, 1], [0, 1, 0]]);
+    let camera = look(Vec3::new(3.0, 2.0, 1.0), Vec3::ZERO, 40.0, [64, 64]);
+    for options in all_options() {
+        assert!(all_lines(&nothing, &camera, &options).chains.is_empty());
+        check(&points, &all_lines(&points, &camera, &options), 50, "faces that are points");
+    }
+    let scene = LineScene::of_meshes(&[]).unwrap();
+    let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
+    assert!(finder.find(&camera, &LineOptions::default(), &NoProgress).unwrap().chains.is_empty());
+}
+
+#[test]
+fn a_mesh_behind_the_eye_shows_nothing() {
+    for name in ["cube", "knot"] {
+        let mesh = builtin(name);
+        for direction in directions(6) {
+            let camera = framing(&mesh, direction, true);
+            let away = look(camera.eye(), camera.eye() * 2.0 - camera.target(), 100.0, [640, 480]);
+            for options in all_options() {
+                assert!(all_lines(&mesh, &away, &options).chains.is_empty(), "{name} from {direction}");
+            }
+        }
+    }
+}
+
+/// Eyes in places where sight lines run along edges and through vertices, or start in a face.
+#[test]
+fn an_eye_inside_or_on_the_mesh() {
+    let mut failures = Vec::new();
+    for name in ["cube", "torus:16,12", "gear", "grid:6,6", "knot", "moebius"] {
+        let mesh = builtin(name);
+        let middle = |points: &[Vec3]| points.iter().sum::<Vec3>() / points.len() as f32;
+        let mut eyes = vec![("the middle", Vec3::ZERO), ("the tube", Vec3::new(1.0, 0.125, 0.0))];
+        for face in [0, mesh.face_count() / 2] {
+            let corners = mesh.triangles()[face].map(|vertex| mesh.positions()[vertex as usize]);
+            eyes.push(("a vertex", corners[0]));
+            eyes.push(("an edge", middle(&corners[..2])));
+            eyes.push(("a face", middle(&corners)));
+            eyes.push(("the plane of a face", corners[0] + (corners[1] - corners[0]) * 4.0));
+            eyes.push(("the line of an edge", corners[1] + (corners[1] - corners[2]) * 2.0));
+        }
+        for (place, eye) in eyes {
+            for toward in [Vec3::X, Vec3::NEG_Z, Vec3::new(0.3, -0.8, 0.5), Vec3::new(-1.0, 1.0, 0.0)] {
+                let camera = look(eye, eye + toward, 110.0, [512, 384]);
+                for options in all_options() {
+                    let what = format!("{name} from {place}, {eye}, towards {toward}");
+                    failures.extend(hold(&mesh, &all_lines(&mesh, &camera, &options), 150, &what).err());
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn a_mesh_partly_behind_the_eye_is_clipped() {
+    let mut samples = 0;
+    for name in ["knot", "torus:24,16", "grid:6,6"] {
+        let mesh = builtin(name);
+        let reach = mesh.bounds().unwrap().radius as f32;
+        for direction in directions(8) {
+            let eye = direction.as_vec3() * (0.4 * reach);
+            for fov_deg in [60.0, 150.0] {
+                let camera = look(eye, Vec3::new(0.1, 0.2, -0.1) * reach, fov_deg, [640, 480]);
+                for options in all_options() {
+                    let what = format!("{name} from {eye}, {fov_deg} degrees");
+                    samples += check(&mesh, &all_lines(&mesh, &camera, &options), 200, &what).samples;
+                }
+            }
+        }
+    }
+    assert!(samples > 8000, "{samples}");
+}
+
+#[test]
+fn extreme_fields_of_view_and_viewports() {
+    let mesh = builtin("torus:24,16");
+    let mut samples = 0;
+    let mut view = |eye: Vec3, fov_deg: f64, size: [u32; 2]| {
+        let camera = look(eye, Vec3::new(0.9, 0.1, 0.2), fov_deg, size);
+        for options in all_options() {
+            let what = format!("from {eye}, {fov_deg} degrees, {size:?}");
+            samples += check(&mesh, &all_lines(&mesh, &camera, &options), 200, &what).samples;
+        }
+    };
+    for size in [[1, 1], [1, MAX_VIEWPORT], [MAX_VIEWPORT, MAX_VIEWPORT], [512, 512]] {
+        for fov_deg in [0.01, 1.0, 40.0, 179.0, 179.99] {
+            view(Vec3::new(2.0, 3.0, 2.5), fov_deg, size);
+        }
+        view(Vec3::new(2e4, 3e4, 2.5e4), 0.01, size);
+        view(Vec3::new(1.5, 0.4, 0.1), 179.0, size);
+    }
+    assert!(samples > 3000, "{samples}");
+}
+
+/// A sheet of a million edges of which every face is seen edge-on, and every edge lies over the others.
+fn a_million_edges_edge_on(options: &LineOptions) {
+    let mesh = builtin("grid:578,578");
+    let edges = Topology::new(&mesh).edge_count();
+    assert!(edges > 1_000_000, "{edges}");
+    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
+    let projections = [Projection::Orthographic { height: 3.0 }, Projection::Perspective { fov_y_rad: 0.7 }];
+    for eye in [Vec3::new(0.0, 0.0, 4.0), Vec3::new(3.0, 0.0, 4.0)] {
+        for projection in projections {
+            let camera = Camera::new(eye, Vec3::ZERO, Vec3::Y, projection, [1024, 1024]).unwrap();
+            let started = std::time::Instant::now();
+            let found = finder.find(&camera, options, &NoProgress);
+            let took = started.elapsed();
+            eprintln!("from {eye}, {projection:?}: {took:.1?}, {:?}", found.as_ref().map(|lines| lines.stats));
+        }
+    }
+}
+
+#[test]
+fn the_border_of_a_million_edges_seen_edge_on() {
+    a_million_edges_edge_on(&LineOptions::default());
+}
+
+#[test]
+fn a_million_edges_seen_edge_on() {
+    a_million_edges_edge_on(&LineOptions { mesh: true, ..LineOptions::default() });
+}
