@@ -4,8 +4,10 @@
 //! those on the near side. Where as many are entered as left, nothing changes. What remains are silhouette edges, boundary
 //! edges, and those edges of non-manifold or inconsistently wound places that do not balance.
 
+use crate::face_tree::FaceTree;
 use silhouette_core::facing::judge;
 use silhouette_core::glam::Vec3;
+use silhouette_core::orientation::{orientation, turn};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
     Cancelled, EdgeId, FaceId, Facing, HalfEdgeId, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh,
@@ -99,6 +101,33 @@ pub struct ContourFinder<'a> {
     pub topology: &'a Topology,
     /// Where it is seen from.
     pub viewpoint: Viewpoint,
+    /// Faces on which the eye lies, ascending. They are seen by nobody: their edges surround the eye, so that what one adds
+    /// no other takes away.
+    pub at_eye: &'a [FaceId],
+}
+
+/// The faces on which the eye of a perspective lies, their edges and corners included, ascending. Exact. O(log F).
+pub fn faces_at_eye(mesh: &TriangleMesh, tree: &FaceTree, viewpoint: &Viewpoint) -> Vec<FaceId> {
+    let Viewpoint::Perspective { eye } = *viewpoint else { return Vec::new() };
+    let mut found = Vec::new();
+    tree.faces_near(eye, |face| {
+        if holds(mesh.corners(face), eye) {
+            found.push(face);
+        }
+    });
+    found.sort_unstable();
+    found
+}
+
+/// Whether a point lies on a face that has an area: in its plane, and seen along some axis, not beyond any side.
+fn holds([a, b, c]: [Vec3; 3], point: Vec3) -> bool {
+    orientation(a, b, c, point) == 0.0
+        && [Vec3::X, Vec3::Y, Vec3::Z].into_iter().any(|axis| {
+            let along = |p, q, r| turn(&Viewpoint::Orthographic { toward_viewer: axis }, p, q, r);
+            let area = along(a, b, c);
+            area != 0.0
+                && [along(a, b, point), along(b, c, point), along(c, a, point)].iter().all(|side| side * area >= 0.0)
+        })
 }
 
 impl ContourFinder<'_> {
@@ -115,7 +144,7 @@ impl ContourFinder<'_> {
         let mut change = Layers::default();
         for &half_edge in self.topology.half_edges(edge) {
             let face = half_edge.face();
-            if counts(face) {
+            if counts(face) && self.at_eye.binary_search(&face).is_err() {
                 let facing = self.facing(face);
                 let forward = runs_forward(self.mesh, self.topology, edge, half_edge);
                 let lies_left = forward == (facing == Facing::Front);
@@ -139,9 +168,12 @@ impl ContourFinder<'_> {
     /// O(S + unpaired edges).
     pub fn find(&self, silhouette: &SilhouetteEdges, unpaired: &UnpairedEdges) -> Vec<Contour> {
         let paired = silhouette.iter().filter(|&edge| !UnpairedEdges::is_unpaired(self.topology, self.mesh, edge));
-        let mut contours: Vec<Contour> =
-            paired.chain(unpaired.0.iter().copied()).filter_map(|edge| self.contour(edge)).collect();
+        let sides = self.at_eye.iter().flat_map(|&face| (0..3).map(move |slot| HalfEdgeId::of(face, slot)));
+        let around_eye = sides.map(|half_edge| self.topology.edge_of(half_edge));
+        let candidates = paired.chain(unpaired.0.iter().copied()).chain(around_eye);
+        let mut contours: Vec<Contour> = candidates.filter_map(|edge| self.contour(edge)).collect();
         contours.sort_unstable_by_key(|contour| contour.edge);
+        contours.dedup_by_key(|contour| contour.edge);
         contours
     }
 
@@ -170,7 +202,7 @@ mod tests {
         let unpaired = prepared.artefact::<UnpairedEdges>("test", &NoProgress).unwrap();
         let viewpoint = Viewpoint::Orthographic { toward_viewer: Vec3::Z };
         let silhouette = SilhouetteEdges::of(&topology, &FaceFacings::new(&mesh, &viewpoint));
-        let finder = ContourFinder { mesh: &mesh, topology: &topology, viewpoint };
+        let finder = ContourFinder { mesh: &mesh, topology: &topology, viewpoint, at_eye: &[] };
         finder.find(&silhouette, &unpaired).iter().map(|contour| (contour.edge, contour.to_the_left)).collect()
     }
 
@@ -193,6 +225,17 @@ mod tests {
     fn faces_wound_against_each_other_make_a_contour_of_equal_facings() {
         let fold = contours(LEFT.to_vec(), vec![[0, 1, 2], [0, 1, 3]]);
         assert_eq!(fold[0], (EdgeId::new(0), Layers { front: 2, back: 0 }));
+    }
+
+    #[test]
+    fn an_eye_on_a_face_is_found_and_one_beside_it_is_not() {
+        let mesh = TriangleMesh::new(LEFT.to_vec(), vec![[0, 1, 2], [1, 1, 2], [1, 0, 3]]).unwrap();
+        let tree = FaceTree::new(&mesh);
+        let count = |eye| faces_at_eye(&mesh, &tree, &Viewpoint::Perspective { eye }).len();
+        let on = [LEFT[0], LEFT[1], Vec3::new(0.5, 0.0, 0.0), Vec3::new(0.4, 0.3, 0.0)];
+        assert_eq!(on.map(count), [2, 2, 2, 1]);
+        let beside = [Vec3::new(0.4, 0.3, 1e-30), Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 1e-30, 0.0), Vec3::NEG_X];
+        assert_eq!(beside.map(count), [0; 4]);
     }
 
     #[test]

@@ -99,10 +99,21 @@ pub fn crossing(stroke: &Stroke, viewpoint: &Viewpoint, index: u32, contour: &Co
     Some(Event { t, doubt, change, contour: Some(index) })
 }
 
-/// Where a stroke passes through a face on which neither of its ends lies, if it does. Exact. O(1).
-pub fn piercing(stroke: &Stroke, viewpoint: &Viewpoint, corners: [Vec3; 3]) -> Option<Event> {
-    let [a, b] = stroke.ends;
-    let [u, v, w] = corners;
+/// Where a segment passes through a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passage {
+    /// Parameter along the segment.
+    pub t: f64,
+    /// Bound of its rounding error.
+    pub doubt: f64,
+    /// Whether the segment leaves towards the face's outer side.
+    pub outward: bool,
+    /// Whether it passes exactly through the face's rim.
+    pub through_rim: bool,
+}
+
+/// Where a segment passes through a face on which neither of its ends lies, if it does. Exact. O(1).
+pub fn passage([a, b]: [Vec3; 2], [u, v, w]: [Vec3; 3]) -> Option<Passage> {
     let (above_a, above_b) = (orientation(u, v, w, a), orientation(u, v, w, b));
     if !(above_a < 0.0 && above_b > 0.0 || above_a > 0.0 && above_b < 0.0) {
         return None;
@@ -112,13 +123,19 @@ pub fn piercing(stroke: &Stroke, viewpoint: &Viewpoint, corners: [Vec3; 3]) -> O
     if !passes_inside(1.0) && !passes_inside(-1.0) {
         return None;
     }
-    let facing = judge(corners, viewpoint).facing;
-    let viewer_side = if facing == Facing::Front { 1.0 } else { -1.0 };
-    let mut change = Layers::default();
-    change.add(Layers::of(facing), if above_b * viewer_side < 0.0 { 1 } else { -1 });
-    let through_its_rim = around.contains(&0.0);
     let (t, doubt) = root(above_a, above_b);
-    Some(Event { t, doubt, change: (!through_its_rim).then_some(change), contour: None })
+    Some(Passage { t, doubt, outward: above_b > 0.0, through_rim: around.contains(&0.0) })
+}
+
+/// What changes in front of a stroke where it passes through a face, if it does. Exact. O(1).
+pub fn piercing(stroke: &Stroke, viewpoint: &Viewpoint, corners: [Vec3; 3]) -> Option<Event> {
+    let Passage { t, doubt, outward, through_rim } = passage(stroke.ends, corners)?;
+    let facing = judge(corners, viewpoint).facing;
+    // The viewer is on the outer side of a front face and on the inner side of a back face.
+    let away_from_viewer = outward != (facing == Facing::Front);
+    let mut change = Layers::default();
+    change.add(Layers::of(facing), if away_from_viewer { 1 } else { -1 });
+    Some(Event { t, doubt, change: (!through_rim).then_some(change), contour: None })
 }
 
 /// Whether a point lies in the plane of a face and not certainly outside of it. A superset: a point in the plane beside a

@@ -93,6 +93,16 @@ impl FaceTree {
         });
     }
 
+    /// Visits the faces on which a point may lie: a superset, each face once.
+    pub fn faces_near(&self, point: Vec3, mut visit: impl FnMut(FaceId)) {
+        let local = self.local(point.as_dvec3());
+        self.bvh.point_traverse(local, |bvh, node| {
+            let leaf = &bvh.nodes[node as usize];
+            (leaf.first_index..leaf.first_index + leaf.prim_count).for_each(|place| visit(self.face(place as usize)));
+            true
+        });
+    }
+
     /// Visits the faces that may meet the line through `from` along `direction`, in both directions without end.
     pub fn faces_on_line(&self, from: DVec3, direction: DVec3, mut visit: impl FnMut(FaceId)) {
         // A ray that begins well outside of the scene.

@@ -1,17 +1,20 @@
 //! [`LineFinder`]: the steps in order.
 
-use crate::contours::{Contour, ContourFinder, UnpairedEdges};
+use crate::contours::{Contour, ContourFinder, UnpairedEdges, faces_at_eye};
+use crate::curves::push_strokes;
+use crate::cutter::{ClearEdges, StrokeCutter};
+use crate::decide::{Decided, decide};
+use crate::events::Depth;
 use crate::face_tree::FaceTree;
-use crate::frame::{ClippedEdge, PictureFrame};
-use crate::gaps::Gap;
+use crate::frame::PictureFrame;
+use crate::intersections::FaceIntersections;
 use crate::join::join;
 use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
+use crate::outline::outermost_outline;
 use crate::picture_grid::PictureGrid;
-use crate::pieces::{ClearEdges, CutStats, CutterScratch, StrokeCutter, emit};
-use crate::propagate::{CutStroke, Propagation};
 use crate::scene::LineScene;
-use crate::select::{FeatureEdges, mesh_strokes};
+use crate::select::{FeatureEdges, mesh_strokes, push_intersections};
 use crate::sight::Sight;
 use crate::stroke::Stroke;
 use crate::vertex_faces::VertexFaces;
@@ -20,15 +23,11 @@ use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::{Camera, Cancelled, ExtractsEdges, FaceFacings, Method, Progress, SilhouetteEdges, Topology};
 use silhouette_extraction::ClusterCones;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-/// Pairs of edge and contour that one view may test: about a minute of work on one core. A picture in which more pass
-/// through the same cells is a tangle that no line drawing shows.
+/// Pairs of an edge and a contour that one view may look at because they pass the same cell of the picture: some ten seconds
+/// of work on one core. A picture with more is a tangle that no line drawing shows.
 pub const MAX_PAIRS: u64 = 2_000_000_000;
-
-/// Strokes that a task takes: some 0.1 ms of work.
-const STROKES_PER_TASK: usize = 64;
 
 /// Why there are no lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -61,8 +60,8 @@ pub struct LineFinder {
     cones: Option<ClusterCones>,
 }
 
-/// An edge whose place in the picture is less certain than this comes so close to the eye that it may pass through it.
-const NEAR_EYE_DOUBT_PX: f64 = 1e-6;
+/// An edge that is shorter in the picture may be seen end on.
+const END_ON_PX: f64 = 1e-6;
 
 /// Who asks for artefacts.
 const NAME: &str = "visible-lines";
@@ -134,29 +133,38 @@ impl LineFinder {
         if self.features.as_ref().is_none_or(|(of, _)| of != options) {
             self.features = Some((options.clone(), FeatureEdges::new(&self.scene, &self.topology, options)));
         }
-        let finder = ContourFinder { mesh, topology: &self.topology, viewpoint };
+        let at_eye = faces_at_eye(mesh, &self.tree, &viewpoint);
+        let finder = ContourFinder { mesh, topology: &self.topology, viewpoint, at_eye: &at_eye };
         let contours = finder.find(&self.silhouette, &self.unpaired);
         let no_features = FeatureEdges::default();
         let features = self.features.as_ref().map_or(&no_features, |(_, features)| features);
-        let strokes = mesh_strokes(&self.scene, &finder, &self.silhouette, features, options);
+        let mut strokes = mesh_strokes(&self.scene, &finder, &self.silhouette, features, options);
+        let frame = PictureFrame::new(camera, self.reach);
+        let mut first_id = mesh.vertex_count() as u32;
+        if options.intersection {
+            let found = self.scene.mesh().artefact::<FaceIntersections>(NAME, progress)?;
+            first_id = push_intersections(&self.scene, &found, &mut strokes);
+        }
+        if options.curves {
+            push_strokes(&self.scene, &frame, first_id, &mut strokes);
+        }
         stats.extract = started.elapsed();
 
         let started = Instant::now();
         progress.check()?;
-        let frame = PictureFrame::new(camera, self.reach);
         let clip_contour = |contour: &Contour| frame.clip(contour.ends, 1.0);
         let clipped_contours: Vec<_> = contours.par_iter().map(clip_contour).collect();
         let grid = PictureGrid::new(&frame, &clipped_contours);
-        // An edge through the eye has no place in the picture but a point.
+        // An edge seen end on has no place in the picture but a point.
         let clip_stroke = |stroke: &Stroke| {
-            let clipped = frame.clip(stroke.ends, 0.0);
-            clipped.filter(|edge| edge.doubt_px < NEAR_EYE_DOUBT_PX || !stroke.is_seen_end_on(&viewpoint))
+            let clipped = frame.clip_drawn(stroke.ends);
+            clipped.filter(|edge| edge.length_px() > END_ON_PX || !stroke.is_seen_end_on(&viewpoint))
         };
         let clipped: Vec<_> = strokes.strokes.par_iter().map(clip_stroke).collect();
         stats.project = started.elapsed();
 
         let started = Instant::now();
-        let sight = Sight { mesh, tree: &self.tree, viewpoint };
+        let sight = Sight { mesh, tree: &self.tree, viewpoint, depth: Depth::Nearer };
         let cutter = StrokeCutter {
             strokes: &strokes,
             contours: &contours,
@@ -165,74 +173,27 @@ impl LineFinder {
             finder,
             sight,
             clear_edges: &self.clear_edges,
+            depth: Depth::Nearer,
         };
-        let cuts = cut_all(&cutter, &clipped, progress)?;
-        let propagation = Propagation { strokes: &strokes, sight, vertex_faces: &self.vertex_faces };
-        let (layers, sight_lines) = propagation.decide(&cuts.strokes, &cuts.gaps);
-        let mut pieces = Vec::with_capacity(cuts.gaps.len());
-        for CutStroke { stroke, gaps, range, .. } in &cuts.strokes {
-            emit(*stroke, *range, &cuts.gaps[gaps.clone()], |gap| layers[gaps.start + gap], &mut pieces);
-        }
+        let Decided { mut pieces, stats: counted, sight_lines } =
+            decide(&cutter, &self.vertex_faces, &clipped, progress)?;
         stats.pieces = pieces.len() as u64;
         pieces.retain(|piece| piece.layers.invisibility() <= options.max_invisibility);
         stats.decide = started.elapsed();
 
         let started = Instant::now();
-        let chains = join(&strokes, &pieces, &frame);
+        let chains = join(&self.scene, &strokes, &pieces, &frame);
         stats.chain = started.elapsed();
         stats.edges = strokes.strokes.len() as u64;
         stats.contours = contours.len() as u64;
-        (stats.pairs, stats.events, stats.sight_lines) = (cuts.stats.pairs, cuts.stats.events, sight_lines);
-        Ok(Lines { camera: *camera, chains, outline: Vec::new(), stats })
-    }
-}
-
-/// All strokes inside the picture with their gaps, in order.
-#[derive(Default)]
-struct Cuts {
-    strokes: Vec<CutStroke>,
-    gaps: Vec<Gap>,
-    stats: CutStats,
-}
-
-fn cut_all(
-    cutter: &StrokeCutter<'_>,
-    clipped: &[Option<ClippedEdge>],
-    progress: &dyn Progress,
-) -> Result<Cuts, LineError> {
-    progress.stage("visible lines", clipped.len() as u64);
-    let pairs = AtomicU64::new(0);
-    let cut_chunk = |scratch: &mut CutterScratch, (chunk, edges): (usize, &[Option<ClippedEdge>])| {
-        if pairs.load(Ordering::Relaxed) > MAX_PAIRS {
-            return Err(LineError::TooCrowded);
+        (stats.pairs, stats.events, stats.sight_lines) = (counted.pairs, counted.events, sight_lines);
+        let started = Instant::now();
+        let mut outline = Vec::new();
+        if options.outline {
+            let cutter = StrokeCutter { depth: Depth::Any, sight: Sight { depth: Depth::Any, ..sight }, ..cutter };
+            outline = outermost_outline(&cutter, &frame, &self.vertex_faces, progress)?;
         }
-        progress.check()?;
-        let mut cuts = Cuts::default();
-        for (place, edge) in edges.iter().enumerate() {
-            if let Some(edge) = edge {
-                let stroke = (chunk * STROKES_PER_TASK + place) as u32;
-                let first = cuts.gaps.len();
-                let touched = cutter.cut(stroke, edge, scratch, &mut cuts.gaps);
-                cuts.strokes.push(CutStroke { stroke, gaps: first..cuts.gaps.len(), range: edge.range, touched });
-            }
-        }
-        cuts.stats = std::mem::take(&mut scratch.stats);
-        pairs.fetch_add(cuts.stats.pairs, Ordering::Relaxed);
-        progress.advance(edges.len() as u64);
-        Ok(cuts)
-    };
-    let chunks: Result<Vec<Cuts>, LineError> =
-        clipped.par_chunks(STROKES_PER_TASK).enumerate().map_init(CutterScratch::default, cut_chunk).collect();
-    let mut all = Cuts::default();
-    for cuts in chunks? {
-        let first = all.gaps.len();
-        all.gaps.extend(cuts.gaps);
-        all.strokes.extend(cuts.strokes.into_iter().map(|mut stroke| {
-            stroke.gaps = stroke.gaps.start + first..stroke.gaps.end + first;
-            stroke
-        }));
-        all.stats.pairs += cuts.stats.pairs;
-        all.stats.events += cuts.stats.events;
+        stats.outline = started.elapsed();
+        Ok(Lines { camera: *camera, chains, outline, stats })
     }
-    if all.stats.pairs > MAX_PAIRS { Err(LineError::TooCrowded) } else { Ok(all) }
 }

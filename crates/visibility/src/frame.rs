@@ -1,5 +1,6 @@
 //! [`PictureFrame`]: points and edges of a scene in homogeneous pixels, clipped before they are divided.
 
+use crate::events::Depth;
 use silhouette_core::Camera;
 use silhouette_core::glam::{DVec2, DVec3, DVec4, Vec3};
 use silhouette_core::view::Projection;
@@ -50,10 +51,10 @@ impl ClippedEdge {
         self.pixels[0].distance(self.pixels[1])
     }
 
-    /// Whether `contour` may pass in front of this edge or its ends within `reach_px`. Errs to the safe side.
-    pub fn overlap(&self, contour: &Self, reach_px: f64) -> Overlap {
+    /// Whether `contour` may pass this edge or its ends within `reach_px`, at a depth that counts. Errs to the safe side.
+    pub fn overlap(&self, contour: &Self, reach_px: f64, depth: Depth) -> Overlap {
         let reach = self.doubt_px + contour.doubt_px + reach_px;
-        if contour.depths[0] > self.depths[1] {
+        if depth == Depth::Nearer && contour.depths[0] > self.depths[1] {
             return Overlap::None;
         }
         let ([a, b], [p, q]) = (self.pixels, contour.pixels);
@@ -80,6 +81,9 @@ fn beside([a, b]: [DVec2; 2], points: [DVec2; 2], reach: f64) -> bool {
     let margin = reach * (along.x.abs() + along.y.abs());
     p > margin && q > margin || p < -margin && q < -margin
 }
+
+/// Most doubt about the place of a drawn edge, in pixels.
+const DRAWN_DOUBT_PX: f64 = 0.1;
 
 /// A camera as a map to homogeneous pixels.
 #[derive(Debug, Clone, Copy)]
@@ -113,17 +117,36 @@ impl PictureFrame {
         Homogeneous { scaled_pixel: DVec2::new(x, y), w, depth }
     }
 
+    /// How fast the picture of a moving point moves, in pixels.
+    pub fn pixel_velocity(&self, world: DVec3, velocity: DVec3) -> DVec2 {
+        let place = self.map(world);
+        let [x, y, w, _] = self.rows.map(|row| row.truncate().dot(velocity));
+        (DVec2::new(x, y) - place.pixel() * w) / place.w
+    }
+
     /// Width and height in pixels.
     pub fn size(&self) -> DVec2 {
         self.size
     }
 
+    /// The part of an edge inside the picture, as it is drawn: without what is so near to the eye that it has no certain
+    /// place in the picture. O(1).
+    pub fn clip_drawn(&self, ends: [Vec3; 2]) -> Option<ClippedEdge> {
+        let is_perspective = self.rows[2].truncate() != DVec3::ZERO;
+        let least_w = self.error * (1.0 + self.size.max_element()) / DRAWN_DOUBT_PX;
+        self.clip_beyond(ends, 0.0, if is_perspective { least_w } else { 0.0 })
+    }
+
     /// The part of the edge inside the picture, grown by `margin_px` on each side; `None` where there is none. O(1).
     pub fn clip(&self, ends: [Vec3; 2], margin_px: f64) -> Option<ClippedEdge> {
+        self.clip_beyond(ends, margin_px, 0.0)
+    }
+
+    fn clip_beyond(&self, ends: [Vec3; 2], margin_px: f64, least_w: f64) -> Option<ClippedEdge> {
         let [a, b] = ends.map(|end| self.map(end.as_dvec3()));
         let inside = |p: Homogeneous| {
             let (low, high) = (p.scaled_pixel + margin_px * p.w, (self.size + margin_px) * p.w - p.scaled_pixel);
-            [low.x, low.y, high.x, high.y, p.w]
+            [low.x, low.y, high.x, high.y, p.w - least_w]
         };
         let mut range = [0.0_f64, 1.0];
         for (at_a, at_b) in inside(a).into_iter().zip(inside(b)) {

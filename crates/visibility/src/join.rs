@@ -5,8 +5,10 @@
 //! another invisibility.
 
 use crate::chains::{Chain, ChainStyle, Chains, SegmentSource};
+use crate::curves;
 use crate::frame::PictureFrame;
 use crate::pieces::Piece;
+use crate::scene::LineScene;
 use crate::stroke::{NO_VERTEX, Strokes};
 use silhouette_core::glam::{DVec2, DVec3};
 
@@ -22,13 +24,15 @@ struct Placed {
     source: SegmentSource,
     points: [DVec3; 2],
     pixels: [DVec2; 2],
+    /// Bezier handles of a piece of curve.
+    handles: Option<[DVec2; 2]>,
     /// Mesh vertices at its ends, or [`NO_VERTEX`] where it was cut.
     vertices: [u32; 2],
 }
 
 /// Joins pieces to chains, ordered by style. O(pieces log pieces).
-pub fn join(strokes: &Strokes, pieces: &[Piece], frame: &PictureFrame) -> Chains {
-    let placed: Vec<Placed> = pieces.iter().map(|piece| place(strokes, piece, frame)).collect();
+pub fn join(scene: &LineScene, strokes: &Strokes, pieces: &[Piece], frame: &PictureFrame) -> Chains {
+    let placed: Vec<Placed> = pieces.iter().map(|piece| place(scene, strokes, piece, frame)).collect();
     let partner = partners(&placed);
     let mut order: Vec<u32> = (0..placed.len() as u32).collect();
     order.sort_by_key(|&piece| placed[piece as usize].style);
@@ -51,16 +55,22 @@ pub fn join(strokes: &Strokes, pieces: &[Piece], frame: &PictureFrame) -> Chains
     merge_by_style(&open, &closed)
 }
 
-fn place(strokes: &Strokes, piece: &Piece, frame: &PictureFrame) -> Placed {
+fn place(scene: &LineScene, strokes: &Strokes, piece: &Piece, frame: &PictureFrame) -> Placed {
     let stroke = &strokes.strokes[piece.stroke as usize];
     let style = ChainStyle { kind: stroke.kind, invisibility: piece.layers.invisibility(), object: stroke.object };
-    let points = piece.range.map(|t| stroke.at(t));
+    let part = strokes.curve_part(piece.stroke as usize);
+    let curve = part.map(|part| (&scene.curves()[part.piece as usize], piece.range.map(|t| part.parameter(t))));
+    let points = match curve {
+        Some((curve, range)) => range.map(|at| curves::point(curve.control, at)),
+        None => piece.range.map(|t| stroke.at(t)),
+    };
     let reaches = [piece.range[0] <= 0.0, piece.range[1] >= 1.0];
     Placed {
         style,
         source: stroke.source,
         points,
         pixels: points.map(|point| frame.map(point).pixel()),
+        handles: curve.map(|(curve, range)| curves::handles(curve, range, frame)),
         vertices: [0, 1].map(|end| if reaches[end] { stroke.vertices[end] } else { NO_VERTEX }),
     }
 }
@@ -124,6 +134,7 @@ struct Buffers {
     points: Vec<DVec3>,
     pixels: Vec<DVec2>,
     sources: Vec<SegmentSource>,
+    handles: Vec<[DVec2; 2]>,
 }
 
 struct Tracer<'a> {
@@ -139,10 +150,11 @@ impl Tracer<'_> {
         if self.done[start as usize / 2] {
             return;
         }
-        let Buffers { points, pixels, sources } = &mut self.chain;
+        let Buffers { points, pixels, sources, handles } = &mut self.chain;
         points.clear();
         pixels.clear();
         sources.clear();
+        handles.clear();
         let mut end = start;
         let closed = loop {
             let (piece, side) = (&self.placed[end as usize / 2], end as usize % 2);
@@ -150,6 +162,8 @@ impl Tracer<'_> {
             points.push(piece.points[side]);
             pixels.push(piece.pixels[side]);
             sources.push(piece.source);
+            handles
+                .extend(piece.handles.map(|[first, second]| if side == 0 { [first, second] } else { [second, first] }));
             let far = end ^ 1;
             let next = self.partner[far as usize];
             if next == start {
@@ -163,7 +177,7 @@ impl Tracer<'_> {
             end = next;
         };
         let style = self.placed[start as usize / 2].style;
-        chains.push(Chain { style, closed, points, pixels, sources, handles: &[] });
+        chains.push(Chain { style, closed, points, pixels, sources, handles });
     }
 }
 

@@ -13,7 +13,7 @@
 use crate::contours::Layers;
 use crate::gaps::{Gap, spans};
 use crate::sight::Sight;
-use crate::stroke::{NO_VERTEX, Strokes};
+use crate::stroke::Strokes;
 use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
 use silhouette_core::FaceId;
@@ -108,7 +108,7 @@ impl Propagation<'_> {
             let reaches = [range[0] <= 0.0, range[1] >= 1.0];
             let at_ends = [(first, Layers::default()), (last, of_stroke[of_stroke.len() - 1].offset)];
             for (end, (span, offset)) in at_ends.into_iter().enumerate() {
-                if reaches[end] && vertices[end] != NO_VERTEX {
+                if reaches[end] && (vertices[end] as usize) < self.sight.mesh.vertex_count() {
                     let (vertex, touched) = (vertices[end], touched[end]);
                     ends.push(StrokeEnd { vertex, stroke: *stroke, end, span: span as u32, offset, touched });
                 }

@@ -3,7 +3,8 @@
 use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::MeshError;
 use silhouette_core::{FaceId, PreparedMesh, TriangleMesh};
-use std::sync::Arc;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Arc, OnceLock};
 
 /// A smooth curve as cubic Bezier pieces in object space, to be drawn where it is visible.
 ///
@@ -52,12 +53,13 @@ pub struct LineScene {
     object_starts: Vec<u32>,
     labels: Option<Vec<u32>>,
     curves: Vec<CurvePiece>,
+    fingerprint: OnceLock<u128>,
 }
 
 impl LineScene {
     /// One mesh, object 0.
     pub fn new(mesh: Arc<PreparedMesh>) -> Self {
-        Self { mesh, object_starts: vec![0], labels: None, curves: Vec::new() }
+        Self { mesh, object_starts: vec![0], labels: None, curves: Vec::new(), fingerprint: OnceLock::new() }
     }
 
     /// Several meshes in one space, each an object of its own. Ids of edges and faces are those of the meshes set one after
@@ -78,7 +80,7 @@ impl LineScene {
             object_starts.push(0);
         }
         let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(positions, triangles)?));
-        Ok(Self { mesh, object_starts, labels: None, curves: Vec::new() })
+        Ok(Self { mesh, object_starts, labels: None, curves: Vec::new(), fingerprint: OnceLock::new() })
     }
 
     /// The same scene with a label for each face, such as its material: lines are drawn between faces of different labels.
@@ -91,6 +93,7 @@ impl LineScene {
             return Err(SceneError::Labels { labels: labels_given, faces });
         }
         self.labels = Some(labels);
+        self.fingerprint = OnceLock::new();
         Ok(self)
     }
 
@@ -109,6 +112,7 @@ impl LineScene {
             return Err(SceneError::Curve { piece });
         }
         self.curves = curves;
+        self.fingerprint = OnceLock::new();
         Ok(self)
     }
 
@@ -130,6 +134,32 @@ impl LineScene {
     /// The label of each face.
     pub fn labels(&self) -> Option<&[u32]> {
         self.labels.as_deref()
+    }
+
+    /// A hash of all that decides the lines of this scene: two scenes with one fingerprint have the same lines. O(V + F) the
+    /// first time.
+    pub fn fingerprint(&self) -> u128 {
+        *self.fingerprint.get_or_init(|| {
+            let [low, high] = [0_u8, 1].map(|half| u128::from(self.hash_of(half)));
+            high << 64 | low
+        })
+    }
+
+    fn hash_of(&self, half: u8) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        half.hash(&mut hasher);
+        let mesh = self.mesh.mesh();
+        let bits = |point: &Vec3| point.to_array().map(f32::to_bits);
+        mesh.vertex_count().hash(&mut hasher);
+        mesh.positions().iter().for_each(|position| bits(position).hash(&mut hasher));
+        mesh.triangles().hash(&mut hasher);
+        self.object_starts.hash(&mut hasher);
+        self.labels.hash(&mut hasher);
+        for curve in &self.curves {
+            curve.control.iter().for_each(|position| bits(position).hash(&mut hasher));
+            (&curve.on_faces, curve.object).hash(&mut hasher);
+        }
+        hasher.finish()
     }
 
     /// The smooth curves.

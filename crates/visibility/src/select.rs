@@ -2,6 +2,7 @@
 
 use crate::chains::SegmentSource;
 use crate::contours::ContourFinder;
+use crate::intersections::{FaceIntersections, Intersection};
 use crate::kind::LineKind;
 use crate::options::LineOptions;
 use crate::scene::LineScene;
@@ -100,4 +101,23 @@ pub fn mesh_strokes(
         strokes.push(stroke, finder.topology.faces(edge));
     }
     strokes
+}
+
+/// Appends the lines in which faces intersect; yields a number above those of all ends. O(intersections).
+pub fn push_intersections(scene: &LineScene, found: &FaceIntersections, strokes: &mut Strokes) -> u32 {
+    let mut first_free = scene.mesh().mesh().vertex_count() as u32;
+    for (index, Intersection { ends, faces }) in found.as_slice().iter().enumerate() {
+        first_free = first_free.max(ends[0].id + 1).max(ends[1].id + 1);
+        let stroke = Stroke {
+            ends: ends.map(|end| end.place),
+            vertices: ends.map(|end| end.id),
+            source: SegmentSource::Intersection(index as u32),
+            kind: LineKind::Intersection,
+            object: scene.object_of(faces[0]),
+            side: 1,
+            own: 0..0,
+        };
+        strokes.push(stroke, *faces);
+    }
+    first_free
 }

@@ -1,4 +1,4 @@
-//! Step 6: the layers that cut the sight line to a point of a stroke.
+//! The layers that cut the sight line to a point of a stroke.
 //!
 //! The point is `a + t (b - a)` for a given `f64` `t`, not the rounded place: whether a face cuts the sight line is a
 //! matter of determinants that are affine in the point, so that each follows from its values at `a` and `b`, whose signs are
@@ -7,6 +7,7 @@
 //! around a sight line exactly one is cut: no sight line slips between two faces or is stopped twice.
 
 use crate::contours::Layers;
+use crate::events::Depth;
 use crate::face_tree::FaceTree;
 use crate::stroke::Stroke;
 use silhouette_core::glam::{DVec3, Vec3};
@@ -22,6 +23,8 @@ pub struct Sight<'a> {
     pub tree: &'a FaceTree,
     /// From where.
     pub viewpoint: Viewpoint,
+    /// Which layers count: those in front of a stroke, or all that the line of sight meets.
+    pub depth: Depth,
 }
 
 /// What a sight line yields.
@@ -87,12 +90,16 @@ impl Sight<'_> {
         let error = 4.0 * f64::EPSILON * f64::from(stroke.ends[0].abs().max(stroke.ends[1].abs()).max_element());
         let target = Target { stroke, t, place, toward_viewer, error };
         let mut seen = Seen { layers: Layers::default(), certain: true };
-        self.tree.faces_toward(&self.viewpoint, place, |face| {
+        let visit = |face| {
             if let Some((facing, certain)) = self.cut(&target, face).filter(|_| !is_own(face)) {
                 seen.certain &= certain;
                 seen.layers.add(facing, 1);
             }
-        });
+        };
+        match self.depth {
+            Depth::Nearer => self.tree.faces_toward(&self.viewpoint, place, visit),
+            Depth::Any => self.tree.faces_on_line(place, toward_viewer, visit),
+        }
         seen
     }
 
@@ -107,8 +114,8 @@ impl Sight<'_> {
                 let near_side = side.affine.sign_near(end) * side.direction;
                 facing == if near_side == 0 { self.covering_side(stroke, facing, corners, slot) } else { near_side }
             });
-        let hides = covers && self.height(stroke, corners).sign_near(end) == -facing;
-        if hides { layer(facing) } else { Layers::default() }
+        let counts = || self.depth == Depth::Any || self.height(stroke, corners).sign_near(end) == -facing;
+        if covers && counts() { layer(facing) } else { Layers::default() }
     }
 
     /// What a face adds in front of the target, and whether that is certain; `None` for certainly nothing.
@@ -138,6 +145,9 @@ impl Sight<'_> {
             if side != facing {
                 return (!certain).then_some((Layers::default(), false));
             }
+        }
+        if self.depth == Depth::Any {
+            return Some((layer(facing), certain));
         }
         let (above, is_certain) = self.height(target.stroke, corners).sign(target.t);
         certain &= is_certain;

@@ -1,6 +1,7 @@
 //! [`Stroke`]: a straight edge to be drawn, whatever it comes from.
 
 use crate::chains::SegmentSource;
+use crate::curves::CurvePart;
 use crate::kind::LineKind;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::orientation::turn;
@@ -15,7 +16,7 @@ pub const NO_VERTEX: u32 = u32::MAX;
 pub struct Stroke {
     /// Its ends in object space.
     pub ends: [Vec3; 2],
-    /// Mesh vertices at its ends, or [`NO_VERTEX`].
+    /// Mesh vertices at its ends, higher numbers for other places in which strokes meet, or [`NO_VERTEX`].
     pub vertices: [u32; 2],
     /// What it lies on.
     pub source: SegmentSource,
@@ -55,12 +56,25 @@ pub struct Strokes {
     pub strokes: Vec<Stroke>,
     /// Faces that strokes lie on.
     pub faces: Vec<FaceId>,
+    /// Parts of curves that the last strokes stand for, one each.
+    pub curve_parts: Vec<CurvePart>,
 }
 
 impl Strokes {
     /// The faces that a stroke lies on.
     pub fn own_faces(&self, stroke: &Stroke) -> &[FaceId] {
         &self.faces[stroke.own.start as usize..stroke.own.end as usize]
+    }
+
+    /// The part of a curve that a stroke stands for, by its index.
+    pub fn curve_part(&self, stroke: usize) -> Option<CurvePart> {
+        stroke.checked_sub(self.strokes.len() - self.curve_parts.len()).map(|index| self.curve_parts[index])
+    }
+
+    /// Appends a stroke along a curve. No other stroke may follow.
+    pub fn push_curve(&mut self, stroke: Stroke, faces: impl IntoIterator<Item = FaceId>, part: CurvePart) {
+        self.push(stroke, faces);
+        self.curve_parts.push(part);
     }
 
     /// Appends a stroke on these faces.

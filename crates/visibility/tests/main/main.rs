@@ -5,6 +5,8 @@ mod determinism;
 mod hostile;
 mod octants;
 mod oracle;
+mod outline;
 mod rays;
 mod scenes;
 mod soups;
+mod strokes_of_the_caller;

@@ -1,0 +1,183 @@
+//! [`FaceIntersections`]: the segments in which faces pass through each other.
+//!
+//! Two faces that intersect in a segment do so because edges of one pass through the other: twice, or once if they also
+//! share a vertex. Which edges pass through which faces is decided exactly; the ends of a segment are rounded to `f32`.
+//! Faces that overlap in one plane have no line of intersection.
+
+use crate::events::passage;
+use crate::face_tree::FaceTree;
+use rayon::prelude::*;
+use silhouette_core::glam::Vec3;
+use silhouette_core::prepared::Artefact;
+use silhouette_core::{Cancelled, EdgeId, FaceId, PreparedMesh, Progress, Topology};
+use std::collections::BTreeMap;
+
+/// An end of a segment of intersection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IntersectionEnd {
+    /// Its place, rounded.
+    pub place: Vec3,
+    /// What tells it from other ends: a mesh vertex, or V plus the index of the place where an edge passes through a face.
+    /// Segments that continue each other have one in common.
+    pub id: u32,
+}
+
+/// A segment in which two faces intersect.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Intersection {
+    /// Its ends.
+    pub ends: [IntersectionEnd; 2],
+    /// The two faces, ascending.
+    pub faces: [FaceId; 2],
+}
+
+/// All segments in which faces of a mesh intersect, ordered by faces.
+#[derive(Debug, Clone, Default)]
+pub struct FaceIntersections(Vec<Intersection>);
+
+/// Edges that a task takes.
+const EDGES_PER_TASK: usize = 1024;
+
+impl FaceIntersections {
+    /// The segments.
+    pub fn as_slice(&self) -> &[Intersection] {
+        &self.0
+    }
+
+    /// Finds all segments. O(E log F + segments log segments), parallel.
+    fn find(
+        mesh: &PreparedMesh,
+        topology: &Topology,
+        tree: &FaceTree,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
+        let edges: Vec<EdgeId> = topology.edges().ids().collect();
+        progress.stage("intersections", edges.len() as u64);
+        let passages = |edges: &[EdgeId]| -> Result<Vec<(EdgeId, FaceId, Vec3)>, Cancelled> {
+            progress.check()?;
+            let mut found = Vec::new();
+            edges.iter().for_each(|&edge| passages_of(mesh, topology, tree, edge, &mut found));
+            progress.advance(edges.len() as u64);
+            Ok(found)
+        };
+        let found: Result<Vec<_>, Cancelled> = edges.par_chunks(EDGES_PER_TASK).map(passages).collect();
+        let mut places = found?.concat();
+        places.sort_unstable_by_key(|&(edge, face, _)| (edge, face));
+        Ok(Self(segments(mesh, topology, &places)))
+    }
+}
+
+fn passages_of(
+    mesh: &PreparedMesh,
+    topology: &Topology,
+    tree: &FaceTree,
+    edge: EdgeId,
+    found: &mut Vec<(EdgeId, FaceId, Vec3)>,
+) {
+    let mesh = mesh.mesh();
+    let vertices = topology.edges()[edge];
+    let ends = vertices.map(|vertex| mesh.positions()[vertex as usize]);
+    tree.faces_at(ends[0], ends[1], |face| {
+        let around = mesh.triangles()[face.index()];
+        if !vertices.iter().any(|vertex| around.contains(vertex))
+            && let Some(passage) = passage(ends, mesh.corners(face))
+        {
+            let place = ends[0].as_dvec3().lerp(ends[1].as_dvec3(), passage.t).as_vec3();
+            found.push((edge, face, place));
+        }
+    });
+}
+
+fn segments(mesh: &PreparedMesh, topology: &Topology, places: &[(EdgeId, FaceId, Vec3)]) -> Vec<Intersection> {
+    let mesh = mesh.mesh();
+    let mut ends_of: BTreeMap<[FaceId; 2], Vec<IntersectionEnd>> = BTreeMap::new();
+    for (index, &(edge, face, place)) in places.iter().enumerate() {
+        let id = (mesh.vertex_count() + index) as u32;
+        for other in topology.faces(edge) {
+            let pair = [other.min(face), other.max(face)];
+            ends_of.entry(pair).or_default().push(IntersectionEnd { place, id });
+        }
+    }
+    let mut segments = Vec::new();
+    for (faces, mut ends) in ends_of {
+        let [one, other] = faces.map(|face| mesh.triangles()[face.index()]);
+        let shared = one.into_iter().find(|vertex| other.contains(vertex));
+        ends.extend(shared.map(|id| IntersectionEnd { place: mesh.positions()[id as usize], id }));
+        // More than two where an edge passes exactly through a rim: the farthest two.
+        let mut best: Option<(f32, [IntersectionEnd; 2])> = None;
+        for (index, &one) in ends.iter().enumerate() {
+            for &other in &ends[index + 1..] {
+                let distance = one.place.distance_squared(other.place);
+                if distance > best.map_or(0.0, |(longest, _)| longest) {
+                    best = Some((distance, [one, other]));
+                }
+            }
+        }
+        segments.extend(best.map(|(_, ends)| Intersection { ends, faces }));
+    }
+    segments
+}
+
+impl Artefact for FaceIntersections {
+    const NAME: &'static str = "face-intersections";
+
+    fn build(mesh: &PreparedMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        let topology = mesh.artefact::<Topology>(Self::NAME, progress)?;
+        let tree = mesh.artefact::<FaceTree>(Self::NAME, progress)?;
+        Self::find(mesh, &topology, &tree, progress)
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self.0.as_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::{NoProgress, TriangleMesh, shapes};
+
+    fn intersections(mesh: TriangleMesh) -> FaceIntersections {
+        let mesh = PreparedMesh::new(mesh);
+        FaceIntersections::clone(&mesh.artefact::<FaceIntersections>("test", &NoProgress).unwrap())
+    }
+
+    /// A mesh and its copy moved by `offset`.
+    fn twice(mesh: &TriangleMesh, offset: Vec3) -> TriangleMesh {
+        let count = mesh.vertex_count() as u32;
+        let copies = [Vec3::ZERO, offset].into_iter();
+        let positions = copies.flat_map(|by| mesh.positions().iter().map(move |&position| position + by)).collect();
+        let again = mesh.triangles().iter().map(|corners| corners.map(|corner| corner + count));
+        TriangleMesh::new(positions, mesh.triangles().iter().copied().chain(again).collect()).unwrap()
+    }
+
+    #[test]
+    fn two_cubes_intersect_in_one_closed_line() {
+        let cube = shapes::by_name("cube").unwrap();
+        let size = cube.bounds().unwrap().max.x - cube.bounds().unwrap().min.x;
+        let both = twice(&cube, Vec3::new(0.31, 0.42, 0.53) * size as f32);
+        let found = intersections(both.clone());
+        let mut degree = BTreeMap::<u32, usize>::new();
+        found
+            .as_slice()
+            .iter()
+            .flat_map(|segment| segment.ends)
+            .for_each(|end| *degree.entry(end.id).or_default() += 1);
+        assert!(degree.values().all(|&count| count == 2), "{degree:?}");
+        let length: f32 =
+            found.as_slice().iter().map(|segment| segment.ends[0].place.distance(segment.ends[1].place)).sum();
+        let expected = 2.0 * (3.0 - 0.31 - 0.42 - 0.53) * size as f32;
+        assert!((length / expected - 1.0).abs() < 1e-5, "{length} {expected}");
+        assert_eq!(intersections(cube).as_slice().len(), 0);
+    }
+
+    #[test]
+    fn faces_that_share_a_vertex_intersect_from_there() {
+        let positions = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [2, 2, -3], [2, 2, 5]];
+        let positions = positions.map(|p: [i32; 3]| Vec3::from(p.map(|c| c as f32))).to_vec();
+        let found = intersections(TriangleMesh::new(positions, vec![[0, 1, 2], [0, 3, 4]]).unwrap());
+        assert_eq!(found.as_slice().len(), 1);
+        let ends = found.as_slice()[0].ends.map(|end| end.place);
+        assert!(ends.contains(&Vec3::ZERO) && ends.contains(&Vec3::new(2.0, 2.0, 0.0)), "{ends:?}");
+    }
+}
