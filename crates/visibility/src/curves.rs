@@ -32,14 +32,14 @@ impl CurvePart {
 
 /// A point of a cubic Bezier curve.
 pub fn point(control: [Vec3; 4], at: f64) -> DVec3 {
-    let [a, b, c, d] = control.map(|p| p.as_dvec3());
+    let [a, b, c, d] = control.map(Vec3::as_dvec3);
     let (ab, bc, cd) = (a.lerp(b, at), b.lerp(c, at), c.lerp(d, at));
     ab.lerp(bc, at).lerp(bc.lerp(cd, at), at)
 }
 
 /// The derivative of a cubic Bezier curve by its parameter.
 fn derivative(control: [Vec3; 4], at: f64) -> DVec3 {
-    let [a, b, c, d] = control.map(|p| p.as_dvec3());
+    let [a, b, c, d] = control.map(Vec3::as_dvec3);
     let (ab, bc, cd) = (b - a, c - b, d - c);
     ab.lerp(bc, at).lerp(bc.lerp(cd, at), at) * 3.0
 }

@@ -36,7 +36,7 @@ pub fn decide(
 ) -> Result<Decided, LineError> {
     let cuts = cut_all(cutter, clipped, progress)?;
     let propagation = Propagation { strokes: cutter.strokes, sight: cutter.sight, vertex_faces };
-    let (layers, sight_lines) = propagation.decide(&cuts.strokes, &cuts.gaps);
+    let (layers, sight_lines) = propagation.decide(&cuts.strokes, &cuts.gaps, progress)?;
     let mut pieces = Vec::with_capacity(cuts.gaps.len());
     for CutStroke { stroke, gaps, range, .. } in &cuts.strokes {
         emit(*stroke, *range, &cuts.gaps[gaps.clone()], |gap| layers[gaps.start + gap], &mut pieces);

@@ -214,7 +214,7 @@ mod tests {
         for side in [-1, 1] {
             let stroke = stroke(a, b, side);
             let back = [cross(&stroke, low, middle), cross(&stroke, middle, low.with_x(-0.5))];
-            assert!(back.iter().flatten().count() % 2 == 0, "{back:?}");
+            assert!(back.iter().flatten().count().is_multiple_of(2), "{back:?}");
             assert_eq!(cross(&stroke, a.with_z(1.0), b.with_z(1.0) - a), None);
         }
     }

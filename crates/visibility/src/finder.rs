@@ -36,10 +36,8 @@ pub enum LineError {
     /// The work was stopped by its [`Progress`].
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Too many edges lie over each other in this view.
-    #[error(
-        "more than {MAX_PAIRS} pairs of edges lie over each other in this view; choose another view or fewer kinds of edges"
-    )]
+    /// Too many edges or faces lie over each other in this view.
+    #[error("too many edges or faces lie over each other in this view; choose another view or fewer kinds of edges")]
     TooCrowded,
 }
 

@@ -103,7 +103,7 @@ const MAX_COMPARED: usize = 32;
 fn straightest(placed: &[Placed], group: &[End], join: &mut impl FnMut(End, End)) {
     let direction = |end: End| {
         let [from, to] = placed[end as usize / 2].pixels;
-        let away = if end % 2 == 0 { to - from } else { from - to };
+        let away = if end.is_multiple_of(2) { to - from } else { from - to };
         away.normalize_or_zero()
     };
     if group.len() > MAX_COMPARED {

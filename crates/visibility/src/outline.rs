@@ -74,7 +74,8 @@ pub fn outermost_outline(
         piece.layers.invisibility() == 0 && bounds_something
     };
     let ending = decided.pieces.iter().filter(is_end).enumerate();
-    Ok(link(ending.map(|(index, piece)| side(&strokes, piece, index as u32, frame)).collect()))
+    let sides: Vec<Side> = ending.map(|(index, piece)| side(&strokes, piece, index as u32, frame)).collect();
+    Ok(link(&sides))
 }
 
 /// Contours of which those with the same ends are one, whose change is their sum, each with all its edges: where patches
@@ -137,8 +138,8 @@ fn side(strokes: &Strokes, piece: &Piece, index: u32, frame: &PictureFrame) -> S
 }
 
 /// Polygons through the sides: each ends where another begins.
-fn link(sides: Vec<Side>) -> Vec<Vec<DVec2>> {
-    let next = successors(&sides);
+fn link(sides: &[Side]) -> Vec<Vec<DVec2>> {
+    let next = successors(sides);
     let mut done = vec![false; sides.len()];
     let mut polygons = Vec::new();
     for start in 0..sides.len() {
@@ -147,9 +148,9 @@ fn link(sides: Vec<Side>) -> Vec<Vec<DVec2>> {
         while !std::mem::replace(&mut done[at], true) {
             let [from, to] = sides[at].pixels;
             polygon.push(from);
-            let begin = next[at].map_or(DVec2::NAN, |following| sides[following].pixels[0]);
             // Both ends of a join are the same place, but for rounding.
-            if !(begin.distance(to) < ROUNDING_PX) {
+            let joins = next[at].is_some_and(|following| sides[following].pixels[0].distance(to) < ROUNDING_PX);
+            if !joins {
                 polygon.push(to);
             }
             match next[at] {

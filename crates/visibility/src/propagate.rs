@@ -11,13 +11,21 @@
 //! line to line; the difference at a vertex is his "local" change, here decided by exact predicates for any fan of faces.
 
 use crate::contours::Layers;
+use crate::finder::LineError;
 use crate::gaps::{Gap, spans};
 use crate::sight::Sight;
 use crate::stroke::Strokes;
 use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
-use silhouette_core::FaceId;
+use silhouette_core::{FaceId, Progress};
 use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Faces that all lines of sight of a view may look at: half a minute of work on one core.
+const MAX_SIGHT_FACES: u64 = 1_000_000_000;
+
+/// Seeds that a task takes: some 0.05 ms of work.
+const SEEDS_PER_TASK: usize = 16;
 
 /// Places in a gap at which a sight line is tried, as shares of its length, until one is certain.
 const TRIALS: [f64; 6] = [0.5, 0.381_966, 0.618_034, 0.723_607, 0.276_393, 0.145_898];
@@ -67,18 +75,41 @@ impl Propagation<'_> {
     /// nothing.
     ///
     /// O(gaps + faces around the strokes' vertices + log F a sight line), parallel.
-    pub fn decide(&self, cut: &[CutStroke], gaps: &[Gap]) -> (Vec<Layers>, u64) {
+    ///
+    /// # Errors
+    /// [`LineError`].
+    pub fn decide(
+        &self,
+        cut: &[CutStroke],
+        gaps: &[Gap],
+        progress: &dyn Progress,
+    ) -> Result<(Vec<Layers>, u64), LineError> {
         let (all_spans, ends) = self.spans_and_ends(cut, gaps);
         let mut sets = Sets::new(all_spans.len());
         for (one, other, difference) in self.differences(ends) {
             sets.unite(one, other, difference);
         }
         let seeds = seeds(&all_spans, gaps, &mut sets);
-        let seen: Vec<(Layers, u64)> =
-            seeds.par_iter().with_min_len(8).map(|seed| self.look(&all_spans, gaps, seed)).collect();
+        progress.stage("lines of sight", seeds.len() as u64);
+        let faces = AtomicU64::new(0);
+        let look_at = |seeds: &[Seed]| {
+            if faces.load(Ordering::Relaxed) > MAX_SIGHT_FACES {
+                return Err(LineError::TooCrowded);
+            }
+            progress.check()?;
+            let looked: Vec<Looked> = seeds.iter().map(|seed| self.look(&all_spans, gaps, seed)).collect();
+            faces.fetch_add(looked.iter().map(|looked| looked.faces).sum(), Ordering::Relaxed);
+            progress.advance(seeds.len() as u64);
+            Ok(looked)
+        };
+        let seen: Result<Vec<Vec<Looked>>, LineError> = seeds.par_chunks(SEEDS_PER_TASK).map(look_at).collect();
+        let seen: Vec<Looked> = seen?.into_iter().flatten().collect();
+        if faces.into_inner() > MAX_SIGHT_FACES {
+            return Err(LineError::TooCrowded);
+        }
         let mut of_root = vec![Layers::default(); all_spans.len()];
-        for (seed, &(layers, _)) in seeds.iter().zip(&seen) {
-            of_root[seed.root as usize] = layers;
+        for (seed, looked) in seeds.iter().zip(&seen) {
+            of_root[seed.root as usize] = looked.layers;
             of_root[seed.root as usize].add(seed.offset, -1);
         }
         let mut layers = vec![Layers::default(); gaps.len()];
@@ -91,7 +122,7 @@ impl Propagation<'_> {
                 layers[gap] = sum;
             }
         }
-        (layers, seen.iter().map(|(_, count)| count).sum())
+        Ok((layers, seen.iter().map(|looked| looked.sight_lines).sum()))
     }
 
     fn spans_and_ends(&self, cut: &[CutStroke], gaps: &[Gap]) -> (Vec<Span>, Vec<StrokeEnd>) {
@@ -156,22 +187,31 @@ impl Propagation<'_> {
             .collect()
     }
 
-    /// The layers in front of the gap that a seed names, and the number of sight lines that it took.
-    fn look(&self, all_spans: &[Span], gaps: &[Gap], seed: &Seed) -> (Layers, u64) {
+    /// The layers in front of the gap that a seed names.
+    fn look(&self, all_spans: &[Span], gaps: &[Gap], seed: &Seed) -> Looked {
         let stroke = &self.strokes.strokes[all_spans[seed.span as usize].stroke as usize];
         let own: &[FaceId] = self.strokes.own_faces(stroke);
         let range = gaps[seed.gap].range;
-        let mut layers = Layers::default();
-        for (trial, share) in TRIALS.into_iter().enumerate() {
+        let mut looked = Looked { layers: Layers::default(), sight_lines: 0, faces: 0 };
+        for share in TRIALS {
             let t = range[0] + (range[1] - range[0]) * share;
             let seen = self.sight.look(stroke, t, |face| own.contains(&face));
-            layers = seen.layers;
+            looked.layers = seen.layers;
+            looked.sight_lines += 1;
+            looked.faces += seen.faces;
             if seen.certain {
-                return (layers, trial as u64 + 1);
+                break;
             }
         }
-        (layers, TRIALS.len() as u64)
+        looked
     }
+}
+
+/// What lines of sight to one gap yield.
+struct Looked {
+    layers: Layers,
+    sight_lines: u64,
+    faces: u64,
 }
 
 /// Where a set is decided.

@@ -8,7 +8,7 @@ use crate::options::LineOptions;
 use crate::scene::LineScene;
 use crate::stroke::{Stroke, Strokes};
 use rayon::prelude::*;
-use silhouette_core::glam::DVec3;
+use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{EdgeId, SilhouetteEdges, Topology, TriangleMesh};
 
 /// Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
@@ -49,12 +49,12 @@ fn kind(
     let wanted = [(LineKind::Ridge, options.ridge_deg), (LineKind::Valley, options.valley_deg)];
     if wanted.iter().any(|(_, threshold)| threshold.is_some()) {
         let [normal, across] = faces.map(|face| {
-            let [a, b, c] = mesh.corners(face).map(|corner| corner.as_dvec3());
+            let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
             (b - a).cross(c - a)
         });
         let bend_deg = normal.cross(across).length().atan2(normal.dot(across)).to_degrees();
         // Concave where the neighbour's third corner rises above the face.
-        let [a, ..] = mesh.corners(faces[0]).map(|corner| corner.as_dvec3());
+        let [a, ..] = mesh.corners(faces[0]).map(Vec3::as_dvec3);
         let apex = mesh.corners(faces[1])[(another.slot() as usize + 2) % 3].as_dvec3();
         let is_ridge = normal.dot(apex - a) <= 0.0;
         let threshold = if is_ridge { options.ridge_deg } else { options.valley_deg };

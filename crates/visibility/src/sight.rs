@@ -35,6 +35,8 @@ pub struct Seen {
     /// Whether every decision was certain. One that was not lies within `2^-28` of the stroke's length from a place where a
     /// determinant vanishes; another `t` will do better.
     pub certain: bool,
+    /// Faces that were looked at.
+    pub faces: u64,
 }
 
 /// A point of a stroke, ready to be judged.
@@ -89,8 +91,9 @@ impl Sight<'_> {
         };
         let error = 4.0 * f64::EPSILON * f64::from(stroke.ends[0].abs().max(stroke.ends[1].abs()).max_element());
         let target = Target { stroke, t, place, toward_viewer, error };
-        let mut seen = Seen { layers: Layers::default(), certain: true };
+        let mut seen = Seen { layers: Layers::default(), certain: true, faces: 0 };
         let visit = |face| {
+            seen.faces += 1;
             if let Some((facing, certain)) = self.cut(&target, face).filter(|_| !is_own(face)) {
                 seen.certain &= certain;
                 seen.layers.add(facing, 1);

@@ -78,9 +78,10 @@ impl Strokes {
     }
 
     /// Appends a stroke on these faces.
-    pub fn push(&mut self, stroke: Stroke, faces: impl IntoIterator<Item = FaceId>) {
+    pub fn push(&mut self, mut stroke: Stroke, faces: impl IntoIterator<Item = FaceId>) {
         let begin = self.faces.len() as u32;
         self.faces.extend(faces);
-        self.strokes.push(Stroke { own: begin..self.faces.len() as u32, ..stroke });
+        stroke.own = begin..self.faces.len() as u32;
+        self.strokes.push(stroke);
     }
 }
