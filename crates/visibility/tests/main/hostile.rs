@@ -141,7 +141,7 @@ fn open_and_non_manifold_meshes() {
     let corners: Vec<[f32; 3]> = [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]].into_iter().chain((0..7).flat_map(page)).collect();
     let faces = |index: u32| {
         let [top, bottom] = [2 + 2 * index, 3 + 2 * index];
-        if index % 2 == 0 { [[0, 1, bottom], [0, bottom, top]] } else { [[0, bottom, 1], [0, top, bottom]] }
+        if index.is_multiple_of(2) { [[0, 1, bottom], [0, bottom, top]] } else { [[0, bottom, 1], [0, top, bottom]] }
     };
     let pages: Vec<[u32; 3]> = (0..7).flat_map(faces).chain(faces(0)).collect();
     check_around(&triangles(&corners, &pages), 8, "a book");

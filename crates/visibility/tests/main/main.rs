@@ -1,5 +1,7 @@
 //! Visible lines against brute force, closed forms and hostile scenes.
 
+#![allow(clippy::print_stderr, reason = "tests tell what they measured")]
+
 mod closed_forms;
 mod determinism;
 mod hostile;

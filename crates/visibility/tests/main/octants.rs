@@ -58,7 +58,7 @@ fn check(mesh: &TriangleMesh, direction: DVec3, perspective: bool) {
 
     let far_corner = (0..8).min_by(|&one, &other| place(one).dot(direction).total_cmp(&place(other).dot(direction)));
     for (&edge, &(_, invisibility, ends)) in &drawn {
-        let vertices = topology.end_points(edge).map(|vertex| vertex.index());
+        let vertices = topology.end_points(edge).map(silhouette_core::VertexId::index);
         let corners = vertices.map(place);
         assert!(ends == corners || ends == [corners[1], corners[0]], "corners are exact: {ends:?}, {corners:?}");
         assert_eq!(invisibility > 0, vertices.contains(&far_corner.unwrap()), "hidden edges meet at the far corner");

@@ -22,7 +22,7 @@ pub fn invisibility(mesh: &TriangleMesh, viewpoint: &Viewpoint, edge: [u32; 2], 
         Viewpoint::Perspective { eye } => eye.as_dvec3() - place,
         Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
     };
-    let size = a.abs().max(b.abs()).max_element() as f64;
+    let size = f64::from(a.abs().max(b.abs()).max_element());
     let (mut front, mut back) = (0, 0);
     for triangle in mesh.triangles() {
         let corners = triangle.map(|vertex| mesh.positions()[vertex as usize]);

@@ -55,7 +55,7 @@ pub fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
                     continue;
                 }
                 let points = [segment, (segment + 1) % chain.points.len()].map(|index| chain.points[index]);
-                let vertices = topology.end_points(edge).map(|vertex| vertex.get());
+                let vertices = topology.end_points(edge).map(VertexId::get);
                 let ends = vertices.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
                 let point = points[0].lerp(points[1], in_space(&lines.camera, points, at / length));
                 let t = point.distance(ends[0]) / ends[1].distance(ends[0]);
