@@ -13,6 +13,7 @@ mod lines;
 mod options;
 mod picture_grid;
 mod pieces;
+pub mod plot;
 mod propagate;
 mod scene;
 mod select;
