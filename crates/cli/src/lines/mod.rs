@@ -95,10 +95,13 @@ fn json(
     progress: &TerminalProgress,
 ) -> Result<Vec<u8>, Failure> {
     let topology = finder.scene().mesh().artefact::<Topology>("lines", progress)?;
-    let mut first = 0;
-    let firsts: Vec<u32> = meshes
-        .iter()
-        .map(|mesh| std::mem::replace(&mut first, first + mesh.mesh.mesh().vertex_count() as u32))
+    let counts = meshes.iter().map(|mesh| mesh.mesh.mesh().vertex_count() as u32);
+    let firsts: Vec<u32> = counts
+        .scan(0, |next, count| {
+            let first = *next;
+            *next += count;
+            Some(first)
+        })
         .collect();
     let end_points = |object: u32, edge: EdgeId| {
         topology.end_points(edge).map(|vertex| VertexId::new(vertex.get() - firsts[object as usize]))

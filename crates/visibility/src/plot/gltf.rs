@@ -154,10 +154,9 @@ impl Root {
         self.views.len() - 1
     }
 
-    /// The document. The format allows no empty array, so a view without lines has a scene without nodes.
+    /// The document. The format allows no empty array, so that without lines there is no scene.
     fn document(&self, uri: Option<&str>) -> Value {
-        let mut document =
-            json!({ "asset": { "version": "2.0", "generator": "silhouettes" }, "scene": 0, "scenes": [{}] });
+        let mut document = json!({ "asset": { "version": "2.0", "generator": "silhouettes" } });
         if self.nodes.is_empty() {
             return document;
         }
@@ -165,7 +164,8 @@ impl Root {
         if let Some(uri) = uri {
             buffer["uri"] = uri.into();
         }
-        document["scenes"][0]["nodes"] = (0..self.nodes.len()).collect();
+        document["scene"] = 0.into();
+        document["scenes"] = json!([{ "nodes": (0..self.nodes.len()).collect::<Vec<_>>() }]);
         document["extensionsUsed"] = json!(["KHR_materials_unlit"]);
         document["buffers"] = json!([buffer]);
         for (key, values) in [
