@@ -1,6 +1,7 @@
 //! The command line, as clap reads it.
 
 use crate::camera::CameraArguments;
+use crate::lines::LinesArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use silhouette_compare::record::Profile;
 use std::path::PathBuf;
@@ -34,6 +35,18 @@ pub enum Command {
         \"loops\": [[v...]...], \"stats\"}. Edges have a < b and are sorted; \"edges\" holds all silhouette edges, \"boundary\"\n\
         those among them that have one face only. Loops run with the front face on the left.")]
     Extract(ExtractArguments),
+    /// Draw visible lines, hidden ones removed, as SVG for plotters; also JSON and glTF
+    #[command(after_help = "Examples:\n  \
+        silhouettes lines bunny.obj -o bunny.svg\n  \
+        silhouettes lines part.stl --creases 30 --hidden --page a3 --landscape --width 0.3mm -o part.svg\n  \
+        silhouettes lines part.stl --ortho fit --view front --scale 1 -o part-1-to-1.svg\n  \
+        silhouettes lines house.obj tree.obj --units px --size 1600x900 --stats -o scene.svg\n  \
+        silhouettes lines part.stl --hidden -o part.json\n\n\
+        Kinds: silhouette, boundary, ridge, valley, material, intersection, curve, mesh; for pens also outline.\n\
+        An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart.\n\
+        JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\
+        \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.")]
+    Lines(Box<LinesArguments>),
     /// Draw the lines of one method to a PNG
     #[command(after_help = "Examples:\n  \
         silhouettes render bunny.obj --method brute-force -o bunny.png\n  \

@@ -48,7 +48,7 @@ pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
         return Err(Failure::Input(format!("--method {name} draws lines but extracts no edges; choose {known}")));
     }
     let options = OptionValues::parse(entry.info.options, arguments.method.set.iter().map(String::as_str))?;
-    let output = Output::create(arguments.output.as_deref(), &arguments.mesh)?;
+    let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
     let NamedMesh { name, mesh } = input::mesh(&arguments.mesh, &progress)?;
     let bounds = mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{name}: has no face")))?;

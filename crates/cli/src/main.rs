@@ -11,6 +11,7 @@ mod extract;
 mod failure;
 mod input;
 mod inspect;
+mod lines;
 mod output;
 mod progress;
 mod render;
@@ -41,6 +42,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Doctor => doctor::run(),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Extract(arguments) => extract::run(&arguments),
+        Command::Lines(arguments) => lines::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),

@@ -15,8 +15,8 @@ pub enum Output {
 }
 
 impl Output {
-    /// An output at `path`, or on standard output where there is none, that is not the file `input` itself.
-    pub fn create(path: Option<&Path>, input: &str) -> Result<Self, Failure> {
+    /// An output at `path`, or on standard output where there is none, that is none of the files `inputs`.
+    pub fn create(path: Option<&Path>, inputs: &[&str]) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Stdout) };
         // A link stays a link: what it points to is replaced.
         let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
@@ -26,7 +26,7 @@ impl Output {
         if path.exists() && !path.is_file() {
             return Err(Failure::Input(format!("{}: is no regular file; name another place", path.display())));
         }
-        if Path::new(input).canonicalize().is_ok_and(|input| input == path) {
+        if inputs.iter().any(|input| Path::new(input).canonicalize().is_ok_and(|input| input == path)) {
             return Err(Failure::Input(format!("{}: is the input; name another place", path.display())));
         }
         // Proves that the place can be written to; dropped, so that a run that is killed leaves nothing.
@@ -82,12 +82,12 @@ mod tests {
     fn a_file_appears_whole_or_not_at_all() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("x.json");
-        drop(Output::create(Some(&path), "").unwrap());
+        drop(Output::create(Some(&path), &[]).unwrap());
         assert_eq!(folder.path().read_dir().unwrap().count(), 0);
-        Output::create(Some(&path), "").unwrap().write(b"whole").unwrap();
+        Output::create(Some(&path), &[]).unwrap().write(b"whole").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"whole");
         assert_eq!(folder.path().read_dir().unwrap().count(), 1);
-        assert!(Output::create(Some(folder.path()), "").is_err());
-        assert!(Output::create(Some(&folder.path().join("missing/x.json")), "").is_err());
+        assert!(Output::create(Some(folder.path()), &[]).is_err());
+        assert!(Output::create(Some(&folder.path().join("missing/x.json")), &[]).is_err());
     }
 }

@@ -25,7 +25,7 @@ pub fn run(arguments: &RenderArguments) -> Result<(), Failure> {
     }
     let entry = registry::find(&arguments.method.method).map_err(Failure::input)?;
     let options = OptionValues::parse(entry.info.options, arguments.method.set.iter().map(String::as_str))?;
-    let output = Output::create(Some(path), &arguments.mesh)?;
+    let output = Output::create(Some(path), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;

@@ -196,6 +196,41 @@ fn outputs_that_cannot_be_written() {
     assert_eq!(folder.names(), ["mesh.obj", "taken", "x.json"]);
 }
 
+/// Each is refused with a line that names the option.
+fn arguments_of_lines(mesh: &str) {
+    for (words, expected) in [
+        (&["--page", "a9"][..], "letter"),
+        (&["--page", "0x100"], "--page"),
+        (&["--page", "99999x99999"], "10 m"),
+        (&["--margin", "200mm"], "200mm"),
+        (&["--margin", "-1"], "margins"),
+        (&["--margin", "wide"], "--margin wide"),
+        (&["--units", "px", "--margin", "3"], "--page"),
+        (&["--scale", "1"], "--ortho"),
+        (&["--scale", "0", "--ortho", "fit"], "scale"),
+        (&["--scale", "nan", "--ortho", "fit"], "scale"),
+        (&["--width", "thick"], "--width thick"),
+        (&["--width", "edge=1mm"], "silhouette"),
+        (&["--width", "0"], "above 0"),
+        (&["--colour", "red"], "#1a2b3c"),
+        (&["--dash", "2mm,1mm"], "hidden="),
+        (&["--dash", "hidden=2mm"], "two lengths"),
+        (&["--hidden", "--dash", "hidden=0.001mm,1mm"], "0.1mm"),
+        (&["--hidden=maybe"], "dashed"),
+        (&["--creases", "181"], "180"),
+        (&["--creases", "30", "--ridge", "20"], "--ridge"),
+        (&["--min-length", "-1mm"], "-1mm"),
+        (&["--threads", "0"], "--threads"),
+    ] {
+        let line = refused(&[&["lines", mesh], words].concat());
+        assert!(line.contains(expected), "{words:?}: wanted '{expected}' in: {line}");
+    }
+    assert!(refused(&["lines"]).contains("<MESH>"));
+    assert!(refused(&["lines", mesh, "missing.obj"]).contains("missing.obj"));
+    assert!(refused(&["lines", mesh, "-o", "x.pdf"]).contains(".svg"));
+    assert!(refused(&["lines", "builtin:cube", mesh, "-o", mesh]).contains("input"));
+}
+
 #[test]
 fn arguments() {
     let folder = Folder::new();
@@ -214,6 +249,7 @@ fn arguments() {
         refused(&["render", &mesh, "--method", "image-precision", "--set", "scale=0", "-o", "x.png"]).contains("scale")
     );
     assert!(refused(&["compare", "--methods", "none", "-o", "x"]).contains("none"));
+    arguments_of_lines(&mesh);
     let rows = folder.file("rows.jsonl", "\n{}\n");
     let line = refused(&["compare", &mesh, "--peers", &rows, "-o", folder.path("report").to_str().unwrap()]);
     assert!(line.contains("rows.jsonl: line 2: missing field"), "{line}");

@@ -60,6 +60,7 @@ mod options;
 mod outline;
 mod picture_grid;
 mod pieces;
+pub mod plot;
 mod propagate;
 mod scene;
 mod select;

@@ -1,0 +1,137 @@
+//! What `lines` writes.
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+fn silhouettes(arguments: &[&str]) -> Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_silhouettes")).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+fn stdout(arguments: &[&str]) -> String {
+    let output = silhouettes(arguments);
+    assert!(output.stderr.is_empty(), "silent where stderr is no terminal");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The first numbers of each path's data, and the names of its layers.
+fn layers(svg: &str) -> Vec<(String, usize)> {
+    let groups = svg.split("<g ").skip(1);
+    let label = |group: &str| group.split("inkscape:label=\"").nth(1).unwrap().split('"').next().unwrap().to_owned();
+    groups.map(|group| (label(group), group.matches("<path").count())).collect()
+}
+
+fn named(expected: &[(&str, usize)]) -> Vec<(String, usize)> {
+    expected.iter().map(|&(name, count)| (name.to_owned(), count)).collect()
+}
+
+/// From a corner a cube shows nine edges, six of them silhouette edges, and hides three.
+#[test]
+fn a_cube_shows_nine_edges_and_hides_three() {
+    let found: Value =
+        serde_json::from_str(&lines_json(&["builtin:cube", "--view", "iso", "--creases", "30", "--hidden"])).unwrap();
+    let chains = found["chains"].as_array().unwrap();
+    let edges = |visible: bool| -> usize {
+        chains
+            .iter()
+            .filter(|chain| chain["visible"] == visible)
+            .map(|chain| chain["edges"].as_array().unwrap().len())
+            .sum()
+    };
+    assert_eq!((edges(true), edges(false)), (9, 3));
+    let svg = stdout(&["lines", "builtin:cube", "--view", "iso", "--creases", "30", "--hidden=solid"]);
+    let hidden_and_visible: Vec<_> = layers(&svg).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(hidden_and_visible, ["1 ridge hidden", "2 ridge visible", "3 silhouette visible"]);
+    assert!(svg.contains("width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\""), "{svg}");
+    assert!(svg.contains("<title>Lines of builtin:cube</title>"), "{svg}");
+}
+
+fn lines_json(arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.json");
+    let words: Vec<_> = ["lines"].iter().chain(arguments).copied().chain(["-o", path.to_str().unwrap()]).collect();
+    silhouettes(&words);
+    std::fs::read_to_string(&path).unwrap()
+}
+
+/// A cube of side 1 at true scale, 30 mm a unit: its front is a square of 30 mm.
+#[test]
+fn true_scale_is_in_millimetres() {
+    let svg = stdout(&["lines", "builtin:cube", "--ortho", "fit", "--view", "front", "--scale", "30"]);
+    assert_eq!(layers(&svg), named(&[("1 silhouette visible", 1)]));
+    let data = svg.split(" d=\"M").nth(1).unwrap().split('"').next().unwrap();
+    let numbers: Vec<f64> =
+        data.split(['L', ' ', 'Z']).filter(|word| !word.is_empty()).map(|word| word.parse().unwrap()).collect();
+    let cube: Value = serde_json::from_str(&stdout(&["inspect", "builtin:cube", "--json"])).unwrap();
+    let side =
+        |axis: usize| cube["extent"]["max"][axis].as_f64().unwrap() - cube["extent"]["min"][axis].as_f64().unwrap();
+    for axis in 0..2 {
+        let coordinates = || numbers.iter().copied().skip(axis).step_by(2);
+        let extent = coordinates().fold(f64::MIN, f64::max) - coordinates().fold(f64::MAX, f64::min);
+        assert!((extent - 30.0 * side(axis)).abs() < 2e-3, "{extent} along axis {axis}");
+    }
+    let large = silhouettes(&["lines", "builtin:cube", "--ortho", "fit", "--scale", "3000"]);
+    let note = String::from_utf8(large.stderr).unwrap();
+    assert!(note.contains("cut off") && note.lines().count() == 1, "{note}");
+}
+
+#[test]
+fn runs_and_thread_counts_write_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["x.svg", "x.json", "x.gltf", "x.glb"] {
+        let write = |threads: Option<&str>| {
+            let path = folder.path().join(name);
+            let mut command = Command::new(env!("CARGO_BIN_EXE_silhouettes"));
+            command.args(["lines", "builtin:knot", "--view", "iso", "--all-edges", "--hidden", "-o"]).arg(&path);
+            if let Some(threads) = threads {
+                command.env("RAYON_NUM_THREADS", threads);
+            }
+            assert!(command.status().unwrap().success());
+            std::fs::read(&path).unwrap()
+        };
+        let bytes = write(None);
+        assert!(bytes.len() > 10_000, "{name}: {}", bytes.len());
+        assert_eq!(write(None), bytes, "{name}");
+        assert_eq!(write(Some("1")), bytes, "{name}");
+    }
+}
+
+/// Objects keep their numbers and their own vertices.
+#[test]
+fn several_meshes_are_several_objects() {
+    let found: Value = serde_json::from_str(&lines_json(&["builtin:cube", "builtin:torus", "--hidden"])).unwrap();
+    for object in [0, 1] {
+        let chains = found["chains"].as_array().unwrap().iter().filter(|chain| chain["object"] == object);
+        let vertices: Vec<u64> = chains
+            .flat_map(|chain| chain["edges"].as_array().unwrap().clone())
+            .flat_map(|edge| [edge[0].as_u64().unwrap(), edge[1].as_u64().unwrap()])
+            .collect();
+        let limit = if object == 0 { 8 } else { 1 << 20 };
+        assert!(!vertices.is_empty() && vertices.iter().all(|&vertex| vertex < limit), "{object}: {vertices:?}");
+    }
+    let alone: Value = serde_json::from_str(&lines_json(&["builtin:torus"])).unwrap();
+    assert!(alone["chains"].as_array().unwrap().iter().all(|chain| chain["object"] == 0));
+}
+
+#[test]
+fn stats_tell_times_and_travel() {
+    let output = silhouettes(&["lines", "builtin:gear", "--creases", "20", "--stats"]);
+    let text = String::from_utf8(output.stderr).unwrap();
+    for word in ["extract", "decide", "paths", "pen-up travel", "bytes"] {
+        assert!(text.contains(word), "{text}");
+    }
+    let unsorted = silhouettes(&["lines", "builtin:gear", "--creases", "20", "--stats", "--no-sort"]);
+    let row = |text: &str| text.lines().find(|line| line.starts_with("pen-up")).unwrap().to_owned();
+    let numbers =
+        |row: &str| -> Vec<f64> { row.split(' ').filter_map(|word| word.strip_suffix("mm")?.parse().ok()).collect() };
+    let sorted = numbers(&row(&text));
+    let unsorted = numbers(&row(std::str::from_utf8(&unsorted.stderr).unwrap()));
+    assert!(sorted[1] < sorted[0] && (unsorted[0], unsorted[1]) == (sorted[0], sorted[0]), "{sorted:?} {unsorted:?}");
+}
+
+#[test]
+fn an_eye_inside_of_a_mesh_is_no_failure() {
+    let svg = stdout(&["lines", "builtin:cube", "--eye", "0,0,0", "--all-edges"]);
+    assert!(svg.ends_with("</svg>\n"));
+}

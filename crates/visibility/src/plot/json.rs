@@ -1,0 +1,112 @@
+//! Lines as JSON: everything that was found, in pixels and in space.
+
+use super::place::Placement;
+use crate::chains::{Chain, SegmentSource};
+use crate::lines::Lines;
+use serde::Serialize;
+use serde::ser::{SerializeSeq, Serializer};
+use silhouette_core::glam::{DVec2, DVec3};
+use silhouette_core::view::Camera;
+use silhouette_core::{EdgeId, VertexId};
+use std::io::{self, Write};
+
+/// Says between which vertices an edge of an object runs, lower one first.
+pub type EndPoints<'a> = dyn Fn(u32, EdgeId) -> [VertexId; 2] + 'a;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    camera: &'a Camera,
+    size: [u32; 2],
+    page: &'a Placement,
+    chains: AllChains<'a>,
+    outline: &'a [Vec<DVec2>],
+}
+
+/// The chains, made one by one while they are written.
+struct AllChains<'a> {
+    lines: &'a Lines,
+    end_points: &'a EndPoints<'a>,
+}
+
+#[derive(Serialize)]
+struct ChainDocument<'a> {
+    kind: &'static str,
+    visible: bool,
+    invisibility: u32,
+    object: u32,
+    closed: bool,
+    edges: Vec<[VertexId; 2]>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    curves: Vec<u32>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    intersections: Vec<u32>,
+    points: &'a [DVec3],
+    pixels: &'a [DVec2],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    handles: &'a [[DVec2; 2]],
+}
+
+impl Serialize for AllChains<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut chains = serializer.serialize_seq(Some(self.lines.chains.len()))?;
+        for chain in self.lines.chains.iter() {
+            chains.serialize_element(&document(&chain, self.end_points))?;
+        }
+        chains.end()
+    }
+}
+
+fn document<'a>(chain: &Chain<'a>, end_points: &EndPoints<'_>) -> ChainDocument<'a> {
+    let (mut edges, mut curves, mut intersections) = (Vec::new(), Vec::new(), Vec::new());
+    for source in chain.sources {
+        match *source {
+            SegmentSource::Edge(edge) => edges.push(end_points(chain.style.object, edge)),
+            SegmentSource::Curve(curve) => curves.push(curve),
+            SegmentSource::Intersection(intersection) => intersections.push(intersection),
+        }
+    }
+    ChainDocument {
+        kind: chain.style.kind.name(),
+        visible: chain.style.invisibility == 0,
+        invisibility: chain.style.invisibility,
+        object: chain.style.object,
+        closed: chain.closed,
+        edges,
+        curves,
+        intersections,
+        points: chain.points,
+        pixels: chain.pixels,
+        handles: chain.handles,
+    }
+}
+
+/// Writes one line of JSON:
+///
+/// `{"camera", "size": [w,h], "page": {"unit", "width", "height", "scale", "offset": [x,y]}, "chains": [{"kind",
+/// "visible": bool, "invisibility": n, "object": i, "closed": bool, "edges": [[a,b]...], "points": [[x,y,z]...],
+/// "pixels": [[x,y]...]}...], "outline": [[[x,y]...]...]}`
+///
+/// Pixels have their origin at the top left and their centres at .5; `pixel * scale + offset` is the place on the page,
+/// in its unit. A chain has one edge a segment, one segment fewer than points, or as many where it is closed. Chains
+/// along smooth curves and intersections have no edges but `curves` or `intersections` instead, indices of what each
+/// segment lies on; curves have `handles`, too, both Bezier handles of each segment in pixels. All chains that were
+/// found are written, whatever is drawn of them.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_json(
+    lines: &Lines,
+    placement: &Placement,
+    end_points: &EndPoints<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let document = Document {
+        camera: &lines.camera,
+        size: lines.camera.size(),
+        page: placement,
+        chains: AllChains { lines, end_points },
+        outline: &lines.outline,
+    };
+    serde_json::to_writer(&mut *out, &document)?;
+    out.write_all(b"\n")
+}

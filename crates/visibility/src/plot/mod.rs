@@ -1,0 +1,182 @@
+//! [`plot`]: lines become strokes on a page, and the page a file that plotters and vector editors accept.
+//!
+//! 1. [`place`](mod@place): pixels become page units, cut off at the viewport and the margins
+//! 2. [`dedupe`](mod@dedupe): what lies exactly on another line is drawn once; visible before hidden, silhouettes first
+//! 3. [`join`](mod@join): paths of a layer that touch end to end become one
+//! 4. [`merge`](mod@merge): points that lie on the line between others are dropped
+//! 5. [`drop_short`](mod@drop_short): dots are left out
+//! 6. [`dash`](mod@dash): hidden lines are cut into strokes and gaps
+//! 7. [`order`](mod@order): the lifted pen travels little
+//!
+//! What comes out is a [`Drawing`], written by [`Drawing::write_svg`]. [`write_json`] and [`write_gltf`] write the lines
+//! themselves, before any of these steps.
+
+mod clip;
+mod dash;
+mod dedupe;
+mod drop_short;
+mod gltf;
+mod join;
+mod json;
+mod layer;
+mod length;
+mod merge;
+mod options;
+mod order;
+mod page;
+mod paths;
+mod pen;
+mod place;
+mod svg;
+
+pub use drop_short::Dropped;
+pub use gltf::{GltfContainer, write_gltf};
+pub use json::{EndPoints, write_json};
+pub use layer::{Layer, LayerName};
+pub use length::{Length, ParseLengthError, Unit};
+pub use options::{Cap, Hidden, Join, PlotError, PlotOptions};
+pub use order::Travel;
+pub use page::{Fit, Page, ParsePageError, Sheet};
+pub use paths::{Path, Paths, Segment};
+pub use pen::{Colour, Dash, ParseColourError, Pen, Pens};
+pub use place::Placement;
+
+use crate::chains::Chain;
+use crate::lines::Lines;
+use rayon::prelude::*;
+use silhouette_core::progress::Progress;
+use std::time::{Duration, Instant};
+
+/// Strokes on a page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// The page, and where the view lies on it.
+    pub placement: Placement,
+    /// How strokes end.
+    pub cap: Cap,
+    /// How segments meet.
+    pub join: Join,
+    /// Layers that hold something, in the order of drawing.
+    pub layers: Vec<Layer>,
+    /// What was done.
+    pub stats: PlotStats,
+}
+
+/// What plotting did. Lengths in page units, times are wall time.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct PlotStats {
+    /// Paths in the file.
+    pub paths: u64,
+    /// Points in the file.
+    pub points: u64,
+    /// Points of the lines as they were placed.
+    pub points_placed: u64,
+    /// Length of all strokes.
+    pub drawn: f64,
+    /// Length that the viewport shows and the page cannot hold at true scale.
+    pub cut_off: f64,
+    /// Segments removed because they lie on others.
+    pub repeats: u64,
+    /// Short paths that were left out.
+    pub dropped: Dropped,
+    /// Way of the lifted pen within layers, before and after ordering.
+    pub travel: Travel,
+    /// Time of all steps but ordering.
+    pub prepare: Duration,
+    /// Time of ordering.
+    pub order: Duration,
+}
+
+/// The placement of a view on the page that the options name; what [`plot`] uses. O(points).
+///
+/// # Errors
+/// [`PlotError`] where the options cannot be honoured.
+pub fn placement(lines: &Lines, options: &PlotOptions) -> Result<Placement, PlotError> {
+    options.check(&lines.camera)?;
+    let drawn = lines.chains.iter().filter(|chain| LayerName::of(chain.style).pen(options).is_some());
+    Ok(Placement::new(&lines.camera, options, drawn, &lines.outline))
+}
+
+/// Makes strokes of the lines. The same for any number of threads. About O(n log n) in points and paths.
+///
+/// # Errors
+/// [`PlotError`] where the options cannot be honoured, or `progress` asks to stop.
+pub fn plot(lines: &Lines, options: &PlotOptions, progress: &dyn Progress) -> Result<Drawing, PlotError> {
+    let start = Instant::now();
+    let placement = placement(lines, options)?;
+    let mut stats = PlotStats::default();
+    let mut layers = place_layers(lines, options, &placement, &mut stats);
+    progress.check()?;
+    if options.dedupe {
+        stats.repeats = dedupe_layers(&mut layers);
+    }
+    let prepared: Vec<_> = layers.par_iter().map(|layer| prepare(layer, options)).collect();
+    for (layer, (paths, dropped)) in layers.iter_mut().zip(prepared) {
+        layer.paths = paths;
+        stats.dropped.paths += dropped.paths;
+        stats.dropped.length += dropped.length;
+    }
+    layers.retain(|layer| !layer.paths.is_empty());
+    stats.prepare = start.elapsed();
+
+    let start = Instant::now();
+    for layer in &mut layers {
+        let travel = if options.order {
+            let (ordered, travel) = order::order(&layer.paths, progress)?;
+            layer.paths = ordered;
+            travel
+        } else {
+            let travel = layer.paths.pen_up_travel();
+            Travel { before: travel, after: travel }
+        };
+        stats.travel.before += travel.before;
+        stats.travel.after += travel.after;
+        stats.paths += layer.paths.len() as u64;
+        stats.points += layer.paths.point_count() as u64;
+        stats.drawn += layer.paths.length();
+    }
+    stats.order = start.elapsed();
+    Ok(Drawing { placement, cap: options.cap, join: options.join, layers, stats })
+}
+
+/// One layer a name that has a pen and lines.
+fn place_layers(lines: &Lines, options: &PlotOptions, placement: &Placement, stats: &mut PlotStats) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    for name in LayerName::all() {
+        let Some((pen, dash)) = name.pen(options) else { continue };
+        let mut paths = Paths::default();
+        if name == LayerName::Outline {
+            place::place_outline(&lines.outline, placement, &mut paths);
+        } else {
+            let chains = lines.chains.iter().filter(|chain: &Chain<'_>| LayerName::of(chain.style) == name);
+            stats.cut_off += place::place(chains, &lines.camera, placement, &mut paths);
+        }
+        stats.points_placed += paths.point_count() as u64;
+        layers.push(Layer { name, pen: Pen { dash, ..pen }, paths });
+    }
+    layers
+}
+
+/// Removes repeats, visible lines before hidden ones and silhouettes before all others. The outline, which repeats
+/// silhouettes by its nature, stays.
+fn dedupe_layers(layers: &mut [Layer]) -> u64 {
+    let mut lines: Vec<&mut Layer> = layers.iter_mut().filter(|layer| layer.name != LayerName::Outline).collect();
+    lines.sort_by_key(|layer| match layer.name {
+        LayerName::Lines { kind, visible } => (!visible, Some(kind)),
+        LayerName::Outline => (true, None),
+    });
+    let mut paths: Vec<&mut Paths> = lines.into_iter().map(|layer| &mut layer.paths).collect();
+    dedupe::dedupe(&mut paths)
+}
+
+/// Joins, merges, drops and dashes the paths of a layer.
+fn prepare(layer: &Layer, options: &PlotOptions) -> (Paths, Dropped) {
+    let unit = options.unit;
+    let joined = if layer.name == LayerName::Outline { layer.paths.clone() } else { join::join(&layer.paths) };
+    let merged = merge::merge(&joined, options.merge_tolerance.to(unit));
+    let (kept, dropped) = drop_short::drop_short(&merged, options.min_length.to(unit));
+    match layer.pen.dash {
+        Some(dash) => (dash::dash(&kept, dash.on.to(unit), dash.off.to(unit)), dropped),
+        None => (kept, dropped),
+    }
+}

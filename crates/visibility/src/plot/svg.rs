@@ -1,0 +1,195 @@
+//! A drawing as SVG: one Inkscape layer a pen.
+
+use super::Drawing;
+use super::layer::{Layer, LayerName};
+use super::options::{Cap, Join};
+use super::paths::Path;
+use silhouette_core::glam::DVec2;
+use std::io::{self, Write};
+
+/// Decimals of coordinates: a thousandth of a millimetre or of a pixel, finer than any plotter's step.
+const DECIMALS: usize = 3;
+/// 10 to the power of the decimals.
+const STEPS: f64 = 1000.0;
+
+/// A point as it is printed, in steps of the last decimal. Points of equal steps are one point in the file.
+pub(super) fn printed(point: DVec2) -> [i64; 2] {
+    // Saturates far beyond any page.
+    (point * STEPS).to_array().map(|coordinate| coordinate.round() as i64)
+}
+
+impl Drawing {
+    /// Writes the drawing as SVG 1.1, path by path; `title` becomes the title of the document.
+    ///
+    /// Width and height carry the unit, the view box makes it the unit of all coordinates. Each layer is an Inkscape
+    /// layer whose label begins with its number, by which vpype and the AxiDraw software know layers, too. Coordinates
+    /// have three decimals, so that equal drawings are equal bytes. The outline is one path with `fill-rule="evenodd"`.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_svg(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
+        let mut text = Vec::with_capacity(64 * 1024);
+        self.push_head(title, &mut text);
+        for (number, layer) in (1..).zip(&self.layers) {
+            self.push_layer_tag(number, layer, &mut text);
+            let outline = layer.name == LayerName::Outline;
+            if outline {
+                text.extend(b"<path fill-rule=\"evenodd\" d=\"");
+            }
+            for path in layer.paths.iter() {
+                if outline {
+                    push_data(path, &mut text);
+                } else {
+                    text.extend(b"<path d=\"");
+                    push_data(path, &mut text);
+                    text.extend(b"\"/>\n");
+                }
+                if text.len() > 32 * 1024 {
+                    out.write_all(&text)?;
+                    text.clear();
+                }
+            }
+            text.extend(if outline { &b"\"/>\n</g>\n"[..] } else { b"</g>\n" });
+        }
+        text.extend(b"</svg>\n");
+        out.write_all(&text)
+    }
+
+    fn push_head(&self, title: &str, text: &mut Vec<u8>) {
+        let unit = self.placement.unit.suffix();
+        let [width, height] = [self.placement.width, self.placement.height].map(number);
+        let cap = match self.cap {
+            Cap::Butt => "butt",
+            Cap::Round => "round",
+            Cap::Square => "square",
+        };
+        let join = match self.join {
+            Join::Round => "round",
+            Join::Miter => "miter",
+            Join::Bevel => "bevel",
+        };
+        text.extend(b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
+        text.extend(b" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\"");
+        text.extend(
+            format!(" width=\"{width}{unit}\" height=\"{height}{unit}\" viewBox=\"0 0 {width} {height}\"").bytes(),
+        );
+        text.extend(format!(" fill=\"none\" stroke-linecap=\"{cap}\" stroke-linejoin=\"{join}\">\n").bytes());
+        text.extend(format!("<title>{}</title>\n", escaped(title)).bytes());
+    }
+
+    fn push_layer_tag(&self, number: usize, layer: &Layer, text: &mut Vec<u8>) {
+        let (name, id) = (layer.name, layer.name.id());
+        let (colour, width) = (layer.pen.colour, self::number(layer.width(self.placement.unit)));
+        text.extend(format!("<g inkscape:groupmode=\"layer\" id=\"{id}\" inkscape:label=\"{number} {name}\"").bytes());
+        text.extend(format!(" stroke=\"{colour}\" stroke-width=\"{width}\">\n").bytes());
+    }
+}
+
+/// A path's data: M, then L or C, and Z for a closed one.
+fn push_data(path: Path<'_>, text: &mut Vec<u8>) {
+    text.push(b'M');
+    push_point(path.start(), text);
+    if path.handles.is_empty() {
+        for (index, &point) in path.points[1..].iter().enumerate() {
+            text.push(if index == 0 { b'L' } else { b' ' });
+            push_point(point, text);
+        }
+    } else {
+        for (index, segment) in path.segments().enumerate() {
+            text.push(if index == 0 { b'C' } else { b' ' });
+            for handle in segment.handles.into_iter().flatten() {
+                push_point(handle, text);
+                text.push(b' ');
+            }
+            push_point(segment.to, text);
+        }
+    }
+    if path.closed {
+        text.push(b'Z');
+    }
+}
+
+fn push_point(point: DVec2, text: &mut Vec<u8>) {
+    let [x, y] = printed(point);
+    push_steps(x, text);
+    text.push(b' ');
+    push_steps(y, text);
+}
+
+/// A number given in steps of the last decimal, without zeros at its end.
+fn push_steps(steps: i64, text: &mut Vec<u8>) {
+    if steps < 0 {
+        text.push(b'-');
+    }
+    let steps = steps.unsigned_abs();
+    let (whole, mut share) = (steps / STEPS as u64, steps % STEPS as u64);
+    let mut digits = [0; 20];
+    let mut at = digits.len();
+    let mut rest = whole;
+    while rest > 0 || at == digits.len() {
+        at -= 1;
+        digits[at] = b'0' + (rest % 10) as u8;
+        rest /= 10;
+    }
+    text.extend(&digits[at..]);
+    if share > 0 {
+        text.push(b'.');
+        for decimal in (0..DECIMALS as u32).rev() {
+            let power = 10_u64.pow(decimal);
+            text.push(b'0' + (share / power) as u8);
+            share %= power;
+            if share == 0 {
+                break;
+            }
+        }
+    }
+}
+
+fn number(value: f64) -> String {
+    let mut text = Vec::new();
+    push_steps((value * STEPS).round() as i64, &mut text);
+    String::from_utf8(text).expect("digits are ASCII")
+}
+
+/// Text as XML content, without characters that XML cannot hold.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
+            control if control.is_control() => escaped.push(' '),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_at_most_three_decimals() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (-0.0004, "0"),
+            (1.0, "1"),
+            (-1.5, "-1.5"),
+            (0.0005, "0.001"),
+            (12.34, "12.34"),
+            (-0.07, "-0.07"),
+            (210.001, "210.001"),
+            (1e6, "1000000"),
+        ] {
+            assert_eq!(number(value), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn titles_are_escaped() {
+        assert_eq!(escaped("a<b> & \u{1}\"c\""), "a&lt;b&gt; &amp;  \"c\"");
+    }
+}

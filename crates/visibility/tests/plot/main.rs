@@ -1,0 +1,6 @@
+//! Lines become strokes on a page, and files that other programs read.
+
+mod files;
+mod scene;
+mod steps;
+mod strokes;
