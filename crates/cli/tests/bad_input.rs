@@ -188,12 +188,14 @@ fn outputs_that_cannot_be_written() {
     assert!(refused(&["extract", &mesh, "-o", folder.path("x.pdf").to_str().unwrap()]).contains(".svg"));
     assert!(refused(&["render", &mesh, "-o", folder.path("x.jpg").to_str().unwrap()]).contains(".png"));
     assert!(refused(&["extract", &mesh, "-o", &mesh]).contains("input"));
+    let scene = folder.file("scene.gltf", "{}");
+    assert!(refused(&["lines", &mesh, &scene, "-o", &scene]).contains("input"));
     assert_eq!(fs::read_to_string(&mesh).unwrap(), OBJ, "the input is left alone");
     assert!(refused(&["extract", &mesh, "-o", "/dev/null/x.json"]).contains("x.json"));
     assert!(refused(&["compare", &mesh, "-o", "/dev/null/report"]).contains("/dev/null/report"));
     assert!(refused(&["compare", &mesh, "-o", &folder.file("taken", "mine")]).contains("taken"));
     assert_eq!(fs::read(folder.path("taken")).unwrap(), b"mine", "nothing a user made is lost");
-    assert_eq!(folder.names(), ["mesh.obj", "taken", "x.json"]);
+    assert_eq!(folder.names(), ["mesh.obj", "scene.gltf", "taken", "x.json"]);
 }
 
 /// Each is refused with a line that names the option.
@@ -228,7 +230,6 @@ fn arguments_of_lines(mesh: &str) {
     assert!(refused(&["lines"]).contains("<MESH>"));
     assert!(refused(&["lines", mesh, "missing.obj"]).contains("missing.obj"));
     assert!(refused(&["lines", mesh, "-o", "x.pdf"]).contains(".svg"));
-    assert!(refused(&["lines", "builtin:cube", mesh, "-o", mesh]).contains("input"));
 }
 
 #[test]

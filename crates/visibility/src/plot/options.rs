@@ -56,7 +56,7 @@ pub struct PlotOptions {
     /// How segments meet. Default: round.
     pub join: Join,
     /// How far a dropped point may lie from the segment that takes its place; 0 merges exactly collinear segments only.
-    /// Default: 0.01 mm, a hundredth of what the eye sees at arm's length on paper.
+    /// Default: 0.01 mm, finer than a plotter's step or a pen's edge.
     pub merge_tolerance: Length,
     /// Paths shorter than this are dropped, before dashes are cut; 0 keeps all. Default: 0.1 mm, less than a pen's width.
     pub min_length: Length,
