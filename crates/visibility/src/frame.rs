@@ -91,8 +91,10 @@ pub struct PictureFrame {
     /// Rows that yield pixel x times w, pixel y times w, w, and depth of a world point.
     rows: [DVec4; 4],
     size: DVec2,
-    /// Upper bound of the error of a row's value for points of the scene.
+    /// Upper bound of the errors of the first three rows' values for points of the scene.
     error: f64,
+    /// The same of the last row, whose unit is another one.
+    depth_error: f64,
 }
 
 impl PictureFrame {
@@ -106,9 +108,9 @@ impl PictureFrame {
         };
         let (x, y) = (view.x_axis * scale + w * (size.x * 0.5), w * (size.y * 0.5) - view.y_axis * scale);
         let rows = [x, y, w, -view.z_axis];
-        let magnitude = |row: &DVec4| row.truncate().abs().element_sum() * reach + row.w.abs();
-        let error = rows.iter().map(magnitude).fold(0.0, f64::max) * 16.0 * f64::EPSILON;
-        Self { rows, size, error }
+        let error_of = |row: DVec4| (row.truncate().abs().element_sum() * reach + row.w.abs()) * 16.0 * f64::EPSILON;
+        let [of_x, of_y, of_w, depth_error] = rows.map(error_of);
+        Self { rows, size, error: of_x.max(of_y).max(of_w), depth_error }
     }
 
     /// A point of the world, undivided.
@@ -168,7 +170,7 @@ impl PictureFrame {
         let [from, to] = range.map(at);
         // The farther the point from the eye's plane, the less an error of the numerator shows.
         let doubt_px = self.error * (1.0 + self.size.max_element()) / from.w.min(to.w).max(f64::MIN_POSITIVE);
-        let depths = [from.depth.min(to.depth) - self.error, from.depth.max(to.depth) + self.error];
+        let depths = [from.depth.min(to.depth) - self.depth_error, from.depth.max(to.depth) + self.depth_error];
         Some(ClippedEdge { range, pixels: [from.pixel(), to.pixel()], doubt_px, depths })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::scenes::{all_lines, builtin, framing};
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{EdgeId, Topology, TriangleMesh};
+use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
 use std::collections::BTreeMap;
 
@@ -53,12 +53,12 @@ fn check(mesh: &TriangleMesh, direction: DVec3, perspective: bool) {
     let count = |wanted: LineKind, covers: u32| {
         drawn.values().filter(|(kind, invisibility, _)| (*kind, *invisibility) == (wanted, covers)).count()
     };
-    assert_eq!(drawn.len(), 12, "{drawn:?}");
+    assert_eq!(drawn.len(), 12, "{camera:?}: {drawn:?}");
     assert_eq!((count(LineKind::Silhouette, 0), count(LineKind::Ridge, 0), count(LineKind::Ridge, 1)), (6, 3, 3));
 
     let far_corner = (0..8).min_by(|&one, &other| place(one).dot(direction).total_cmp(&place(other).dot(direction)));
     for (&edge, &(_, invisibility, ends)) in &drawn {
-        let vertices = topology.end_points(edge).map(silhouette_core::VertexId::index);
+        let vertices = topology.end_points(edge).map(VertexId::index);
         let corners = vertices.map(place);
         assert!(ends == corners || ends == [corners[1], corners[0]], "corners are exact: {ends:?}, {corners:?}");
         assert_eq!(invisibility > 0, vertices.contains(&far_corner.unwrap()), "hidden edges meet at the far corner");
@@ -81,7 +81,6 @@ fn a_cube_shows_nine_edges_and_hides_three_from_every_octant() {
             let mesh = cube(half, offset);
             for direction in octants() {
                 for perspective in [true, false] {
-                    eprintln!("half {half}, offset {offset}, from {direction}, perspective {perspective}");
                     check(&mesh, direction, perspective);
                 }
             }

@@ -1,0 +1,235 @@
+//! One mesh: prepared for each case with each number of threads, then view by view all of them in turn.
+
+use crate::row::{CameraNumbers, Counts, LinesRow, Stages};
+use crate::threads::Threads;
+use silhouette_compare::camera_path::Orbit;
+use silhouette_compare::cost::Spread;
+use silhouette_compare::machine::describe_machine;
+use silhouette_compare::scaling::OURS;
+use silhouette_core::method::PrepareError;
+use silhouette_core::view::{Framing, ViewError, ViewPreset};
+use silhouette_core::{Camera, Cancelled, NoProgress, PreparedMesh, TriangleMesh};
+use silhouette_visibility::{Chains, LineError, LineFinder, LineOptions, LineScene, LineStats, Lines};
+use std::collections::BTreeMap;
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Vertical field of view: that of the command line, which the scripts of benches/peers take over.
+const FOV_DEG: f64 = 40.0;
+
+const SIZE: [u32; 2] = [1024, 1024];
+
+/// Why a mesh was not measured.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasureError {
+    #[error("{mesh}: the mesh has no triangle")]
+    Empty { mesh: String },
+    #[error(transparent)]
+    View(#[from] ViewError),
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    #[error(transparent)]
+    Lines(#[from] LineError),
+}
+
+/// What is measured: the metric, the largest invisibility that is asked for, and how the finder is prepared. Each has a
+/// finder of its own, which learns of edges in one view what it knows in the next.
+const CASES: [(&str, u32, &str); 4] =
+    [("visible", 0, PLAIN), ("visible", 0, MANY_VIEWS), ("all", u32::MAX, PLAIN), ("all", u32::MAX, MANY_VIEWS)];
+
+const PLAIN: &str = "plain";
+const MANY_VIEWS: &str = "many-views";
+
+/// Which views are timed.
+const VIEWS: [&str; 2] = ["still", "orbit"];
+
+/// One case with one number of threads.
+struct Prepared {
+    finder: LineFinder,
+    prepare: Duration,
+    topology: Duration,
+    tree: Duration,
+    bytes: u64,
+    first: Duration,
+    /// For each kind of views.
+    cells: [Cell; VIEWS.len()],
+}
+
+/// Times and counts over views of one kind.
+#[derive(Default)]
+struct Cell {
+    times_ms: Vec<f64>,
+    stats: Vec<LineStats>,
+    chains: Vec<f64>,
+    points: Vec<f64>,
+    length_px: Vec<f64>,
+}
+
+impl Prepared {
+    /// Prepares a mesh that nothing was derived from, and finds the lines of a first view, all on the current threads.
+    fn new(mesh: &Arc<TriangleMesh>, case: usize, first: &Camera) -> Result<Self, MeasureError> {
+        let prepared = Arc::new(PreparedMesh::new(Arc::clone(mesh)));
+        let scene = LineScene::new(Arc::clone(&prepared));
+        let start = Instant::now();
+        let finder = if CASES[case].2 == PLAIN {
+            LineFinder::new(scene, &NoProgress)?
+        } else {
+            LineFinder::for_many_views(scene, &NoProgress)?
+        };
+        let prepare = start.elapsed();
+        let report = prepared.report();
+        let build_time = |name: &str| {
+            report.iter().find(|artefact| artefact.name == name).map_or(Duration::ZERO, |artefact| artefact.build_time)
+        };
+        let mut made = Self {
+            prepare,
+            topology: build_time("topology"),
+            tree: build_time("face-tree"),
+            bytes: report.iter().map(|artefact| artefact.bytes as u64).sum(),
+            first: Duration::ZERO,
+            finder,
+            cells: Default::default(),
+        };
+        let start = Instant::now();
+        black_box(made.find(case, first)?);
+        made.first = start.elapsed();
+        Ok(made)
+    }
+
+    fn find(&mut self, case: usize, camera: &Camera) -> Result<Lines, LineError> {
+        let options = LineOptions { max_invisibility: CASES[case].1, ..LineOptions::default() };
+        self.finder.find(camera, &options, &NoProgress)
+    }
+
+    /// Times one view on the current threads; yields its lines.
+    fn time(&mut self, case: usize, views: usize, camera: &Camera) -> Result<Chains, LineError> {
+        let start = Instant::now();
+        let lines = black_box(self.find(case, camera)?);
+        let took = start.elapsed();
+        let cell = &mut self.cells[views];
+        cell.times_ms.push(milliseconds(took));
+        cell.stats.push(lines.stats);
+        cell.chains.push(lines.chains.len() as f64);
+        cell.points.push(lines.chains.point_count() as f64);
+        cell.length_px.push(lines.chains.iter().map(|chain| chain.length_px()).sum());
+        Ok(lines.chains)
+    }
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1000.0
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    Spread::of(&values.collect::<Vec<_>>()).map_or(0.0, |spread| spread.median)
+}
+
+/// Measures a mesh in `views` views of an orbit, and as often in the view that peers are given, between them. Rows of one
+/// case follow each other.
+///
+/// # Panics
+/// If the lines depend on the number of threads, or on how the finder was prepared: what is wrong is not timed.
+pub fn measure_mesh(
+    name: &str,
+    mesh: TriangleMesh,
+    views: u32,
+    all_threads: &[Threads],
+) -> Result<Vec<LinesRow>, MeasureError> {
+    let Some(bounds) = mesh.bounds() else { return Err(MeasureError::Empty { mesh: name.to_owned() }) };
+    let framing = Framing::Perspective { fov_y_rad: FOV_DEG.to_radians() };
+    let (direction, up) = ViewPreset::ThreeQuarter.directions();
+    let still = Camera::framing(&bounds, direction, up, framing, SIZE)?;
+    let orbit = Orbit::turn(framing, SIZE, views).cameras(&bounds)?;
+
+    let mesh = Arc::new(mesh);
+    // Each case with each number of threads: one beside the other.
+    let mut runs: Vec<(usize, &Threads, Prepared)> = Vec::new();
+    for case in 0..CASES.len() {
+        for threads in all_threads {
+            runs.push((case, threads, threads.install(|| Prepared::new(&mesh, case, &still))?));
+        }
+    }
+    let count = runs.len();
+    for (index, camera) in orbit.iter().enumerate() {
+        for (kind, camera) in [&still, camera].into_iter().enumerate() {
+            let mut expected: BTreeMap<u32, Chains> = BTreeMap::new();
+            // Who comes first changes, so that none is always the one behind an idle or a busy moment.
+            for place in (0..count).map(|turn| (index + turn) % count) {
+                let (case, threads, prepared) = &mut runs[place];
+                let chains = threads.install(|| prepared.time(*case, kind, camera))?;
+                let expected = expected.entry(CASES[*case].1).or_insert_with(|| chains.clone());
+                assert!(*expected == chains, "{name}: the lines depend on threads or preparation");
+            }
+        }
+    }
+    let shared = Shared {
+        mesh: name.to_owned(),
+        faces: mesh.face_count() as u64,
+        machine: describe_machine(),
+        cameras: [numbers(&still), numbers(&orbit[0])],
+    };
+    let rows_of = |(case, threads, prepared): &(usize, &Threads, Prepared)| {
+        [0, 1].map(|kind| row(&shared, *case, kind, threads, prepared))
+    };
+    Ok(runs.iter().flat_map(rows_of).collect())
+}
+
+/// What all rows of a mesh share.
+struct Shared {
+    mesh: String,
+    faces: u64,
+    machine: String,
+    /// Of each kind of views.
+    cameras: [CameraNumbers; VIEWS.len()],
+}
+
+fn row(shared: &Shared, case: usize, kind: usize, threads: &Threads, prepared: &Prepared) -> LinesRow {
+    let ((metric, _, finder), cell) = (CASES[case], &prepared.cells[kind]);
+    let spread = Spread::of(&cell.times_ms).expect("at least one view is timed");
+    let stage = |of: fn(&LineStats) -> Duration| median(cell.stats.iter().map(|stats| milliseconds(of(stats))));
+    let count = |of: fn(&LineStats) -> u64| median(cell.stats.iter().map(|stats| of(stats) as f64));
+    LinesRow {
+        tool: OURS,
+        mesh: shared.mesh.clone(),
+        faces: shared.faces,
+        metric,
+        finder,
+        views: VIEWS[kind],
+        runs: cell.times_ms.len() as u32,
+        threads: threads.count,
+        median_ms: spread.median,
+        p95_ms: spread.p95,
+        first_ms: milliseconds(prepared.first),
+        prepare_ms: milliseconds(prepared.prepare),
+        topology_ms: milliseconds(prepared.topology),
+        tree_ms: milliseconds(prepared.tree),
+        prepared_bytes: prepared.bytes,
+        stages_ms: Stages {
+            extract: stage(|stats| stats.extract),
+            project: stage(|stats| stats.project),
+            decide: stage(|stats| stats.decide),
+            chain: stage(|stats| stats.chain),
+        },
+        counts: Counts {
+            edges: count(|stats| stats.edges),
+            contours: count(|stats| stats.contours),
+            pairs: count(|stats| stats.pairs),
+            events: count(|stats| stats.events),
+            sight_lines: count(|stats| stats.sight_lines),
+            pieces: count(|stats| stats.pieces),
+            chains: median(cell.chains.iter().copied()),
+            points: median(cell.points.iter().copied()),
+            length_px: median(cell.length_px.iter().copied()),
+        },
+        camera: shared.cameras[kind].clone(),
+        machine: shared.machine.clone(),
+    }
+}
+
+fn numbers(camera: &Camera) -> CameraNumbers {
+    let [eye, target, up] = [camera.eye(), camera.target(), camera.up()].map(|vector| vector.to_array());
+    CameraNumbers { eye, target, up, fov_deg: FOV_DEG, size: camera.size() }
+}
