@@ -21,8 +21,8 @@ use silhouette_core::{FaceId, Progress};
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Faces that all lines of sight of a view may look at: half a minute of work on one core.
-const MAX_SIGHT_FACES: u64 = 1_000_000_000;
+/// Faces that all lines of sight of a view may look at: some ten seconds of work on one core.
+const MAX_SIGHT_FACES: u64 = 200_000_000;
 
 /// Seeds that a task takes: some 0.05 ms of work.
 const SEEDS_PER_TASK: usize = 16;
