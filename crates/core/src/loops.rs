@@ -86,6 +86,12 @@ impl SilhouetteLoops {
         self.half_edges.push(half_edge);
     }
 
+    /// Appends half-edges to the loop that is being formed.
+    #[inline]
+    pub fn extend_from_slice(&mut self, half_edges: &[HalfEdgeId]) {
+        self.half_edges.extend_from_slice(half_edges);
+    }
+
     /// Ends the loop that is being formed.
     ///
     /// # Panics

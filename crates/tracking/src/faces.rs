@@ -1,7 +1,9 @@
 //! The faces of one view: facing on demand, each evaluated at most once.
 
+use crate::complete_silhouette::Asked;
 use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::plane_test::PlaneTest;
+use silhouette_core::facing::Facing;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractionStats;
 use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, Viewpoint};
@@ -57,8 +59,30 @@ impl<'a> Faces<'a> {
         for (face, plane) in planes {
             let judgement = test.judge(plane, || surface.corners(face));
             stats.exact_fallbacks += u64::from(judgement.exact_fallback);
-            memo.record(face, judgement.facing);
+            memo.record(face, judgement.facing == Facing::Front);
         }
+    }
+
+    /// Evaluates the faces of a trail, each at most once, and lists the places in it at which the answer is new. As
+    /// [`evaluate`](Self::evaluate), without questions that no branch predictor could answer: a face that is known, or
+    /// is named again, is computed again, and counted once.
+    pub fn compare(&mut self, trail: &[Asked], news: &mut Vec<u32>) {
+        let (table, test) = (self.surface.table, self.test);
+        let mut first_asked = 0;
+        for (place, asked) in trail.iter().enumerate() {
+            let face = asked.face();
+            let is_front = match test.certified(table.plane(face)) {
+                Some(is_front) => {
+                    first_asked += u64::from(self.memo.record(face, is_front));
+                    is_front
+                }
+                None => self.is_front(face),
+            };
+            if is_front != asked.was_front() {
+                news.push(place as u32);
+            }
+        }
+        self.stats.faces_tested += first_asked;
     }
 
     /// Length of half-edges in object space. O(their number).

@@ -102,7 +102,7 @@ impl PlaneTest {
 
     /// Whether a face is front; `None` where the bound does not tell.
     #[inline]
-    fn certified(&self, n: [f32; 4]) -> Option<bool> {
+    pub fn certified(&self, n: [f32; 4]) -> Option<bool> {
         let distance = self.distance(n);
         // What is not a number is not certain.
         if distance.abs() > self.error { Some(distance > 0.0) } else { None }

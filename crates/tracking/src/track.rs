@@ -72,7 +72,7 @@ pub(crate) fn track_all_edges(
         for place in loops.old.loops.range(old) {
             let half_edge = loops.old.loops.half_edges()[place];
             // Found before: part of the silhouette, and completing it noted where it came from.
-            if loops.is_found(half_edge) {
+            if loops.is_taken(place) || loops.is_found(half_edge) {
                 continue;
             }
             if let Some(lead) = follow(faces, loops, half_edge, walk_start, stats) {

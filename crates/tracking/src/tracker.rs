@@ -6,7 +6,7 @@ use crate::budget::{Audit, BudgetMode};
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::{ActiveEdges, TrackedEdges};
 use crate::connectivity_table::ConnectivityTable;
-use crate::detect_new::{detect_in_border_list, detect_in_concave_list};
+use crate::detect_new::{complete_new, detect_in_border_list, detect_in_concave_list};
 use crate::exact::ExactMode;
 use crate::eye_crossing::ClearBall;
 use crate::faces::Faces;
@@ -123,10 +123,12 @@ impl Tracker {
         let mut faces = Faces::new(scene.surface(), viewpoint, memo);
         if stats.brute_force.is_some() {
             classify(&mut faces);
-            check_edges(&mut faces, loops, stats);
+            loops.compare(&mut faces);
+            check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
         } else {
             // Facings that are needed in any case come first, while nothing is known: in one run through memory.
             faces.evaluate(active.faces.iter().copied().zip(active.planes.iter().copied()));
+            loops.compare(&mut faces);
             let tracked = match options.tested_edges {
                 TestedEdges::All => track_all_edges(&mut faces, loops, options.walk_start, stats),
                 TestedEdges::Single => track_single_edges(&mut faces, loops, options.walk_start, stats),
@@ -135,7 +137,7 @@ impl Tracker {
             if tracked.is_break() {
                 stats.brute_force = Some(BruteForceReason::LongWalks);
                 classify_the_rest(&mut faces);
-                check_edges(&mut faces, loops, stats);
+                check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             } else {
                 detect_in_concave_list(&mut faces, loops, active, stats);
                 detect_in_border_list(&mut faces, loops, scene.edges().border(), stats);
@@ -147,7 +149,7 @@ impl Tracker {
         {
             let tracked = faces.length_of(loops.now.loops.half_edges());
             classify_the_rest(&mut faces);
-            check_edges(&mut faces, loops, stats);
+            check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             let whole = faces.length_of(loops.now.loops.half_edges());
             let missed_share = if whole > 0.0 { (1.0 - tracked / whole).max(0.0) } else { 0.0 };
             let audit = Audit { level: options.concavity, ..budget.conclude(missed_share) };
