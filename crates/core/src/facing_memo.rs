@@ -83,6 +83,20 @@ impl FacingMemo {
         was_unknown
     }
 
+    /// [`record`](Self::record) of four faces, bit `i` of `fronts` that of the `i`-th; yields of how many nothing was known. A
+    /// face may be named twice, with the same facing.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    #[inline]
+    pub fn record_four(&mut self, faces: [FaceId; 4], fronts: u32) -> u64 {
+        let mut unknown = 0;
+        for (index, face) in faces.into_iter().enumerate() {
+            unknown += u64::from(self.record(face, fronts >> index & 1 == 1));
+        }
+        unknown
+    }
+
     /// Whether a face is front that was asked for, or [recorded](Self::record), in this view.
     ///
     /// # Panics

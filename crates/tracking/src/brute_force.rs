@@ -16,7 +16,8 @@ use std::sync::Arc;
 
 /// Step 1, in a view of which nothing is known yet.
 pub(crate) fn classify(faces: &mut Faces) {
-    faces.evaluate(faces.surface.table.planes());
+    let table = faces.surface.table;
+    faces.evaluate(table.face_count(), |face| (FaceId::from_usize(face), table.plane(FaceId::from_usize(face))));
 }
 
 /// Step 1, in a view of which something is known.

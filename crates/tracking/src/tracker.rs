@@ -127,7 +127,7 @@ impl Tracker {
             check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
         } else {
             // Facings that are needed in any case come first, while nothing is known: in one run through memory.
-            faces.evaluate(active.faces.iter().copied().zip(active.planes.iter().copied()));
+            faces.evaluate(active.faces.len(), |index| (active.faces[index], active.planes[index]));
             loops.compare(&mut faces);
             let tracked = match options.tested_edges {
                 TestedEdges::All => track_all_edges(&mut faces, loops, options.walk_start, stats),
