@@ -227,27 +227,62 @@ impl FoundLoops {
         index
     }
 
+    /// Takes over an old loop and those after it, up to one that is not the same any more or was found before, all in one
+    /// piece. The index of that one. O(half-edges taken over).
+    pub fn take_over_resting(&mut self, faces: &mut Faces, first: usize) -> usize {
+        let begin = self.old.loops.range(first).start;
+        let next_new = self.next_new(self.old.trail_begin(begin)).map_or(usize::MAX, |at| at as usize);
+        let mut next = first;
+        while next < self.old.loops.len() {
+            let range = self.old.loops.range(next);
+            let is_same = self.old.trail_begin(range.end) <= next_new && !self.taken[range.start];
+            // The trail says all of a loop but that the face where it begins still is front.
+            if !is_same || !faces.is_front(self.old.loops.half_edges()[range.start].face()) {
+                break;
+            }
+            let new = (self.now.loops.len() + next - first) as u32;
+            self.relations.push(Relation { old: next as u32, new, shared: range.len() as u32 });
+            next += 1;
+        }
+        if next > first {
+            let end = self.old.loops.range(next - 1).end;
+            self.take_over_trail(begin..end);
+            self.now.loops.extend_from_loops(&self.old.loops, first..next);
+        }
+        next
+    }
+
+    /// The first place in the old trail, from this one on, at which the answer is new.
+    fn next_new(&self, trail_begin: usize) -> Option<u32> {
+        self.news.get(self.news.partition_point(|&at| (at as usize) < trail_begin)).copied()
+    }
+
+    /// Takes over all but the half-edges themselves.
+    fn take_over_trail(&mut self, old_places: Range<usize>) {
+        let Self { now, old, places, .. } = self;
+        let half_edges = &old.loops.half_edges()[old_places.clone()];
+        for (half_edge, place) in half_edges.iter().zip(now.trail_ends.len() as u32..) {
+            places[half_edge.index()] = place;
+        }
+        let (begin, end) = (old.trail_begin(old_places.start), old.trail_begin(old_places.end));
+        // Both trails are shorter than the number of half-edges, so their places fit 32 bits.
+        let shift = (now.trail.len() as u32).wrapping_sub(begin as u32);
+        now.trail.extend_from_slice(&old.trail[begin..end]);
+        now.trail_ends.extend(old.trail_ends[old_places.clone()].iter().map(|end| end.wrapping_add(shift)));
+        self.taken[old_places].fill(true);
+    }
+
     /// Takes over old half-edges from these places up to a new answer on the way to the next one. The place of the
     /// first half-edge from which another way leads on, or the end.
     fn run(&mut self, places: Range<usize>) -> usize {
-        let Self { now, old, places: place_of, .. } = self;
-        let begin = old.trail_begin(places.start);
-        let next_new = self.news.get(self.news.partition_point(|&at| (at as usize) < begin));
-        let reached = match next_new {
-            Some(&turned) => places.start + old.trail_ends[places.clone()].partition_point(|&end| end <= turned),
+        let old = &self.old;
+        let reached = match self.next_new(old.trail_begin(places.start)) {
+            Some(turned) => places.start + old.trail_ends[places.clone()].partition_point(|&end| end <= turned),
             None => places.end,
         };
         let taken = places.start..reached;
-        let half_edges = &old.loops.half_edges()[taken.clone()];
-        for (&half_edge, place) in half_edges.iter().zip(now.trail_ends.len() as u32..) {
-            place_of[half_edge.index()] = place;
-        }
-        now.loops.extend_from_slice(half_edges);
-        // Both trails are shorter than the number of half-edges, so their places fit 32 bits.
-        let shift = (now.trail.len() as u32).wrapping_sub(begin as u32);
-        now.trail.extend_from_slice(&old.trail[begin..old.trail_begin(reached)]);
-        now.trail_ends.extend(old.trail_ends[taken.clone()].iter().map(|end| end.wrapping_add(shift)));
-        self.taken[taken].fill(true);
+        self.now.loops.extend_from_slice(&old.loops.half_edges()[taken.clone()]);
+        self.take_over_trail(taken);
         reached
     }
 

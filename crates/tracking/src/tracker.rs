@@ -14,9 +14,9 @@ use crate::identity::{LoopEvents, LoopId, LoopIdentities};
 use crate::options::{Accuracy, Concavity, MeshPolicy, TestedEdges, TrackingOptions};
 use crate::refuse::NotTrackable;
 use crate::scene::Scene;
-use crate::single_edge::track_single_edges;
+use crate::single_edge::track_single_edge;
 use crate::stats::{BruteForceReason, TrackingStats};
-use crate::track::track_all_edges;
+use crate::track::{track_all_edges, track_loops};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::method::PositionsError;
 use silhouette_core::{FacingMemo, SilhouetteLoops, TriangleMesh, Viewpoint};
@@ -129,10 +129,13 @@ impl Tracker {
             // Facings that are needed in any case come first, while nothing is known: in one run through memory.
             faces.evaluate(active.faces.len(), |index| (active.faces[index], active.planes[index]));
             loops.compare(&mut faces);
-            let tracked = match options.tested_edges {
-                TestedEdges::All => track_all_edges(&mut faces, loops, options.walk_start, stats),
-                TestedEdges::Single => track_single_edges(&mut faces, loops, options.walk_start, stats),
+            let track_loop = match options.tested_edges {
+                TestedEdges::All => track_all_edges,
+                TestedEdges::Single => track_single_edge,
             };
+            let tracked = track_loops(&mut faces, loops, stats, |faces, loops, old, stats| {
+                track_loop(faces, loops, old, options.walk_start, stats)
+            });
             stats.loops_tracked = loops.now.loops.len() as u64;
             if tracked.is_break() {
                 stats.brute_force = Some(BruteForceReason::LongWalks);
