@@ -15,14 +15,14 @@ use crate::stats::TrackingStats;
 use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, SilhouetteLoops, TriangleMesh, Viewpoint};
 use std::sync::Arc;
 
-/// Step 1, four faces at a time, in a view of which nothing is known yet.
+/// Step 1 in a view of which nothing is known yet.
 pub(crate) fn classify(faces: &mut Faces) {
     let table = faces.surface.table;
     faces.evaluate(table.face_count(), |face| (FaceId::from_usize(face), table.plane(FaceId::from_usize(face))));
 }
 
-/// Step 1, one face after the other, in a view of which something may be known.
-pub(crate) fn classify_one_by_one(faces: &mut Faces) {
+/// Step 1, in a view of which something is known.
+pub(crate) fn classify_the_rest(faces: &mut Faces) {
     for face in (0..faces.surface.triangles.len()).map(FaceId::from_usize) {
         faces.is_front(face);
     }
@@ -103,7 +103,7 @@ impl BruteForce {
         if *in_fours {
             classify(&mut faces);
         } else {
-            classify_one_by_one(&mut faces);
+            faces.evaluate_one_by_one();
         }
         check_edges(&mut faces, stats, |faces, half_edge| complete(faces, half_edge, loops, places));
         stats.count(&faces.stats);

@@ -3,6 +3,7 @@
 use crate::complete_silhouette::Asked;
 use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::plane_test::PlaneTest;
+use silhouette_core::facing::Facing;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractionStats;
 use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, Viewpoint};
@@ -73,6 +74,17 @@ impl<'a> Faces<'a> {
         for index in count - count % 4..count {
             self.is_front(face_and_plane(index).0);
         }
+    }
+
+    /// Evaluates all faces, of which nothing is known yet, one after the other.
+    pub fn evaluate_one_by_one(&mut self) {
+        let (surface, test) = (self.surface, self.test);
+        for face in (0..surface.triangles.len()).map(FaceId::from_usize) {
+            let judgement = test.judge(surface.table.plane(face), || surface.corners(face));
+            self.memo.record(face, judgement.facing == Facing::Front);
+            self.stats.exact_fallbacks += u64::from(judgement.exact_fallback);
+        }
+        self.stats.faces_tested += surface.triangles.len() as u64;
     }
 
     /// Evaluates the faces of a trail, each at most once, and lists the places in it at which the answer is new,

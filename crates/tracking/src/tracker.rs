@@ -1,7 +1,7 @@
 //! [`Tracker`]: the loops of each frame from those of the frame before.
 
 use crate::as_printed::{LoopOrder, list_in_printed_order};
-use crate::brute_force::{check_edges, classify, classify_one_by_one};
+use crate::brute_force::{check_edges, classify, classify_the_rest};
 use crate::budget::{Audit, BudgetMode};
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::{ActiveEdges, TrackedEdges};
@@ -139,7 +139,7 @@ impl Tracker {
             stats.loops_tracked = loops.now.loops.len() as u64;
             if tracked.is_break() {
                 stats.brute_force = Some(BruteForceReason::LongWalks);
-                classify_one_by_one(&mut faces);
+                classify_the_rest(&mut faces);
                 check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             } else {
                 detect_in_concave_list(&mut faces, loops, active, stats);
@@ -151,7 +151,7 @@ impl Tracker {
             && budget.is_due(faces.stats.faces_tested, scene.face_count())
         {
             let tracked = faces.length_of(loops.now.loops.half_edges());
-            classify_one_by_one(&mut faces);
+            classify_the_rest(&mut faces);
             check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             let whole = faces.length_of(loops.now.loops.half_edges());
             let missed_share = if whole > 0.0 { (1.0 - tracked / whole).max(0.0) } else { 0.0 };

@@ -71,7 +71,7 @@ const FAMILIES: [Family; 9] = [
 impl Family {
     fn of(variant: Variant) -> Self {
         match variant {
-            Variant::BruteForce => Self::BruteForce,
+            Variant::BruteForce | Variant::BruteForceInFours => Self::BruteForce,
             Variant::Level(_, TestedEdges::All) => Self::Levels,
             Variant::Level(_, TestedEdges::Single) => Self::Single,
             Variant::Exact => Self::Exact,
