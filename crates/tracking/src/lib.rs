@@ -43,8 +43,13 @@
 //! 5. Loops run counter-clockwise around front faces.
 //! 6. The concave edges of a level are searched in the order of memory, not of angle, and their faces are evaluated
 //!    first.
-//! 7. Completing a loop runs along the trail of the last frame while all faces answer as they did then
-//!    (`complete_silhouette`): the same faces are evaluated, in less time. Brute force does so too.
+//! 7. All faces that the loops of the last frame were walked along are evaluated first, four at a time, and what no
+//!    turned face lies on is copied instead of walked (`complete_silhouette`). With all edges tested at most 0.6 % more
+//!    faces are evaluated for it on the bunny; with single edges 0.5 % at 0.1 degrees a frame, and 16 % at 10 degrees,
+//!    where much of what was is never walked again.
+//!
+//! The baseline, [`BruteForce`], does nothing of the kind: it has no past, and evaluates one face after the other.
+//! [`BruteForce::in_fours`] evaluates as tracking does.
 //!
 //! # Cost
 //!

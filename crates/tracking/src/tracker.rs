@@ -24,8 +24,8 @@ use std::sync::Arc;
 
 /// Follows the silhouette loops of a mesh from frame to frame. See the [crate](crate) for the method and what it costs.
 ///
-/// Memory beyond the artefacts: 13 bytes a face (a place a half-edge, the memory of facings), 8 bytes a selected
-/// concave edge and 20 for each face there, some 40 bytes a silhouette edge.
+/// Memory beyond the artefacts: 13.4 bytes a face (a place and a bit a half-edge, the memory of facings), 8 bytes a
+/// selected concave edge and 20 for each face there, some 40 bytes a silhouette edge.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     scene: Scene,
