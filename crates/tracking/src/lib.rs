@@ -20,8 +20,8 @@
 //! # When to choose it
 //!
 //! Where the view changes little from frame to frame, and loops are wanted in order. What is found is silhouette, always:
-//! facings are exact, and loops complete. The exact mode misses nothing and, at small steps, is faster than tracking at any
-//! level, so it is the first to try. What is missed by level:
+//! facings are exact, and loops complete. The exact mode misses nothing and, at small steps, is faster than tracking up to
+//! level 0.2, so it is the first to try. What is missed by level:
 //!
 //! - at level 0 with all edges tested, only what is neither reached from an old edge nor holds a concave edge or a
 //!   border: nothing in all that the tests try, but there is no proof for large steps;

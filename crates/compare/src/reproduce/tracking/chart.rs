@@ -84,7 +84,7 @@ impl Family {
         match self {
             Self::Levels => "tracking by level N".to_owned(),
             Self::Single => "tracking, single edges".to_owned(),
-            Self::BruteForce => Variant::BruteForce.label(),
+            Self::BruteForce => "brute force (Hall; in fours)".to_owned(),
             Self::Exact => Variant::Exact.label(),
             Self::Budget => Variant::Budget.label(),
             Self::Today(name, asked) => Variant::Today(name, asked).label(),
