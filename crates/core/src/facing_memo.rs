@@ -71,13 +71,30 @@ impl FacingMemo {
         *stamp & 1 == 1
     }
 
-    /// Remembers a facing that somebody found in this view.
+    /// Remembers whether a face is front that somebody found in this view; yields whether nothing was known of it.
     ///
     /// # Panics
     /// If there is no such face.
     #[inline]
-    pub fn record(&mut self, face: FaceId, facing: Facing) {
-        self.stamps[face.index()] = self.epoch << 1 | u8::from(facing == Facing::Front);
+    pub fn record(&mut self, face: FaceId, is_front: bool) -> bool {
+        let stamp = &mut self.stamps[face.index()];
+        let was_unknown = *stamp >> 1 != self.epoch;
+        *stamp = self.epoch << 1 | u8::from(is_front);
+        was_unknown
+    }
+
+    /// [`record`](Self::record) of four faces, bit `i` of `fronts` that of the `i`-th; yields of how many nothing was known. A
+    /// face may be named twice, with the same facing.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    #[inline]
+    pub fn record_four(&mut self, faces: [FaceId; 4], fronts: u32) -> u64 {
+        let mut unknown = 0;
+        for (index, face) in faces.into_iter().enumerate() {
+            unknown += u64::from(self.record(face, fronts >> index & 1 == 1));
+        }
+        unknown
     }
 
     /// Whether a face is front that was asked for, or [recorded](Self::record), in this view.
@@ -118,6 +135,7 @@ mod tests {
                         assert_eq!((stats.faces_tested, stats.exact_fallbacks), (expected_tests, expected_tests));
                     }
                     assert_eq!(memo.recall(face), facing == Facing::Front);
+                    assert!(!memo.record(face, facing == Facing::Front), "known by now");
                 }
             }
         }

@@ -86,6 +86,23 @@ impl SilhouetteLoops {
         self.half_edges.push(half_edge);
     }
 
+    /// Appends half-edges to the loop that is being formed.
+    #[inline]
+    pub fn extend_from_slice(&mut self, half_edges: &[HalfEdgeId]) {
+        self.half_edges.extend_from_slice(half_edges);
+    }
+
+    /// Appends some of other loops. None may be in the course of being formed.
+    ///
+    /// # Panics
+    /// If there are no such loops.
+    pub fn extend_from_loops(&mut self, other: &Self, loops: Range<usize>) {
+        let begin = if loops.start == 0 { 0 } else { other.ends[loops.start - 1] };
+        let (first, ends) = (self.half_edges.len(), &other.ends[loops]);
+        self.half_edges.extend_from_slice(&other.half_edges[begin..ends.last().copied().unwrap_or(begin)]);
+        self.ends.extend(ends.iter().map(|end| end - begin + first));
+    }
+
     /// Ends the loop that is being formed.
     ///
     /// # Panics

@@ -102,7 +102,9 @@ fn measure(
 
     let shared = || (Arc::clone(prepared.mesh()), Arc::clone(&table), Arc::clone(&edges));
     let (mesh, table_of, edges_of) = shared();
-    let mut fliers = vec![Flier::BruteForce(Box::new(BruteForce::new(mesh, table_of, edges_of)))];
+    let brute_force = BruteForce::new(mesh, table_of, edges_of);
+    let in_fours = brute_force.clone().in_fours();
+    let mut fliers = vec![Flier::BruteForce(Box::new(brute_force)), Flier::BruteForce(Box::new(in_fours))];
     for tested_edges in [TestedEdges::All, TestedEdges::Single] {
         for &level_rad in levels_rad {
             let concavity = Concavity::Above(level_rad);
@@ -118,6 +120,7 @@ fn measure(
     let (base_us, all) = (base.median_us(), base.half_edges as f64);
     let (half_edges, loops) = (all / frames, base.loops as f64 / frames);
     writeln!(out, "brute force: {base_us:.1} us, {half_edges:.0} half-edges in {loops:.1} loops")?;
+    writeln!(out, "brute force, four faces at a time: {:.1} us", flown[1].median_us())?;
     writeln!(out, "tested                level  1/share     us  speed-up  missed%  loops  walks  steps  fresh")?;
     for (flier, flown) in fliers.iter().zip(&flown) {
         let Flier::Tracker(tracker) = flier else { continue };

@@ -2,10 +2,11 @@
 //!
 //! 1. Find all front faces. 2. Check every edge of them: is a back face, or none, across?
 //!
-//! Facing and loop completion are those of the tracker, so that a ratio of their times says what tracking saves and
-//! nothing else. (In `silhouette-extraction` there is a simpler one that shares no code with any method, the oracle.)
+//! It has no past: loops are walked anew in each frame. Facing test and walk are those of the tracker. As in the paper one
+//! face is looked at after the other; [`BruteForce::in_fours`] evaluates four at a time as the tracker does, so that the
+//! ratio of its time to a tracker's says what tracking saves and nothing else. (In `silhouette-extraction` there is a simpler one that shares no code with any method, the oracle.)
 
-use crate::complete_silhouette::FoundLoops;
+use crate::complete_silhouette::next_silhouette_side;
 use crate::concave_edges::TrackedEdges;
 use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::faces::Faces;
@@ -14,9 +15,10 @@ use crate::stats::TrackingStats;
 use silhouette_core::{FaceId, FacingMemo, HalfEdgeId, SilhouetteLoops, TriangleMesh, Viewpoint};
 use std::sync::Arc;
 
-/// Step 1, in a view of which nothing is known yet.
+/// Step 1 in a view of which nothing is known yet.
 pub(crate) fn classify(faces: &mut Faces) {
-    faces.evaluate(faces.surface.table.planes());
+    let table = faces.surface.table;
+    faces.evaluate(table.face_count(), |face| (FaceId::from_usize(face), table.plane(FaceId::from_usize(face))));
 }
 
 /// Step 1, in a view of which something is known.
@@ -26,21 +28,41 @@ pub(crate) fn classify_the_rest(faces: &mut Faces) {
     }
 }
 
-/// Step 2: completes every loop that was not found before.
-pub(crate) fn check_edges(faces: &mut Faces, loops: &mut FoundLoops, stats: &mut TrackingStats) {
+/// Step 2: hands over every silhouette half-edge, to complete its loop unless that was found before.
+pub(crate) fn check_edges(
+    faces: &mut Faces,
+    stats: &mut TrackingStats,
+    mut complete: impl FnMut(&mut Faces, HalfEdgeId),
+) {
     for face in (0..faces.surface.triangles.len()).map(FaceId::from_usize) {
         if !faces.recall(face) {
             continue;
         }
         stats.edges_tested += 3;
         for slot in 0..3 {
-            let half_edge = HalfEdgeId::of(face, slot);
-            let is_silhouette = faces.across(Side::new(face, slot)).is_none_or(|across| !faces.recall(across.face));
-            if is_silhouette && !loops.is_found(half_edge) {
-                loops.complete(faces, half_edge);
+            if faces.across(Side::new(face, slot)).is_none_or(|across| !faces.recall(across.face)) {
+                complete(faces, HalfEdgeId::of(face, slot));
             }
         }
     }
+}
+
+/// Walks the loop through a silhouette half-edge unless it was found before. O(faces in the fans along it).
+fn complete(faces: &Faces, start: HalfEdgeId, loops: &mut SilhouetteLoops, places: &mut [u32]) {
+    if loops.half_edges().get(places[start.index()] as usize) == Some(&start) {
+        return;
+    }
+    let mut half_edge = start;
+    loop {
+        places[half_edge.index()] = loops.half_edges().len() as u32;
+        loops.push(half_edge);
+        let next = next_silhouette_side(faces.surface.table, |face| faces.recall(face), Side::of(half_edge));
+        half_edge = next.half_edge();
+        if half_edge == start {
+            break;
+        }
+    }
+    loops.end_loop();
 }
 
 /// Finds all silhouette loops anew in each frame. See the [module](self).
@@ -48,7 +70,10 @@ pub(crate) fn check_edges(faces: &mut Faces, loops: &mut FoundLoops, stats: &mut
 pub struct BruteForce {
     scene: Scene,
     memo: FacingMemo,
-    loops: FoundLoops,
+    in_fours: bool,
+    loops: SilhouetteLoops,
+    /// Where in the loops of this frame, or else of some frame before, each half-edge stands.
+    places: Vec<u32>,
     stats: TrackingStats,
 }
 
@@ -59,23 +84,35 @@ impl BruteForce {
     /// If the table is of another mesh.
     pub fn new(mesh: Arc<TriangleMesh>, table: Arc<ConnectivityTable>, edges: Arc<TrackedEdges>) -> Self {
         let scene = Scene::new(mesh, table, edges);
-        Self { scene, memo: FacingMemo::default(), loops: FoundLoops::default(), stats: TrackingStats::default() }
+        let places = vec![0; 3 * scene.face_count()];
+        let (loops, stats) = (SilhouetteLoops::default(), TrackingStats::default());
+        Self { scene, memo: FacingMemo::default(), in_fours: false, loops, places, stats }
+    }
+
+    /// Evaluates four faces at a time from now on: the same answers and counts, in less time.
+    pub fn in_fours(self) -> Self {
+        Self { in_fours: true, ..self }
     }
 
     /// The loops seen from `viewpoint`, in no particular order. O(F), one thread, no allocation once memory has grown.
     pub fn update(&mut self, viewpoint: &Viewpoint) -> &SilhouetteLoops {
         self.stats = TrackingStats::default();
-        self.loops.begin_frame(3 * self.scene.face_count());
-        let mut faces = Faces::new(self.scene.surface(), viewpoint, &mut self.memo);
-        classify(&mut faces);
-        check_edges(&mut faces, &mut self.loops, &mut self.stats);
-        self.stats.count(&faces.stats);
-        &self.loops.now.loops
+        self.loops.clear();
+        let Self { scene, memo, in_fours, loops, places, stats } = self;
+        let mut faces = Faces::new(scene.surface(), viewpoint, memo);
+        if *in_fours {
+            classify(&mut faces);
+        } else {
+            faces.evaluate_one_by_one();
+        }
+        check_edges(&mut faces, stats, |faces, half_edge| complete(faces, half_edge, loops, places));
+        stats.count(&faces.stats);
+        &self.loops
     }
 
     /// The loops of the last frame.
     pub fn loops(&self) -> &SilhouetteLoops {
-        &self.loops.now.loops
+        &self.loops
     }
 
     /// What the last frame took.

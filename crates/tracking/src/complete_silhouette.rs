@@ -10,19 +10,40 @@
 //! # Coherence
 //!
 //! Where the walk comes to a half-edge of the last frame, it asks the same faces in the same order as it did then,
-//! until one has turned. So each frame keeps the *trail* of its walks, the faces asked about with their answers, and
-//! the next frame runs along it as long as the answers are the same: no face more or less is evaluated, but none waits
-//! for the one before, and the processor predicts the outcome. Only where a face has turned does it walk.
+//! until one has turned. So each frame keeps the *trail* of its walks, the faces asked about with their answers. The
+//! next frame asks all of them again before it walks ([`FoundLoops::compare`]), in one loop without branches in which
+//! no face waits for the one before, and notes the answers that are *new*. A walk then takes over what it took in the
+//! last frame up to the next new answer, by copying. Only where a face has turned does it turn about vertices.
+//!
+//! Loops without a new answer are taken over together. The price: the faces about a vertex that the silhouette has left
+//! are evaluated too (departure 7 of the [crate](crate) says how many).
 //!
 //! The set that keeps double silhouettes out is a place a half-edge: where in the list of this or the last frame it
 //! stands, if it does stand there. So nothing is ever cleared, and completing a loop also learns from which old loops
 //! its half-edges came.
 
-use crate::connectivity_table::Side;
+use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::faces::Faces;
 use crate::identity::Relation;
 use silhouette_core::{FaceId, HalfEdgeId, SilhouetteLoops};
 use std::ops::Range;
+
+/// The silhouette half-edge that follows another in its loop: turns about its end vertex, inside the fan of front faces.
+/// O(faces in the fan).
+#[inline]
+pub(crate) fn next_silhouette_side(
+    table: &ConnectivityTable,
+    mut is_front: impl FnMut(FaceId) -> bool,
+    side: Side,
+) -> Side {
+    let mut candidate = side.next_in_face();
+    while let Some(across) = table.across(candidate)
+        && is_front(across.face)
+    {
+        candidate = across.next_in_face();
+    }
+    candidate
+}
 
 /// Loops, and what the walks along them asked.
 #[derive(Debug, Clone, Default)]
@@ -36,18 +57,18 @@ pub(crate) struct WalkedLoops {
 
 /// A face that a walk asked about, times two, plus whether it was front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Asked(u32);
+pub(crate) struct Asked(u32);
 
 impl Asked {
     fn new(face: FaceId, is_front: bool) -> Self {
         Self(face.get() << 1 | u32::from(is_front))
     }
 
-    fn face(self) -> FaceId {
+    pub fn face(self) -> FaceId {
         FaceId::new(self.0 >> 1)
     }
 
-    fn was_front(self) -> bool {
+    pub fn was_front(self) -> bool {
         self.0 & 1 == 1
     }
 }
@@ -79,15 +100,38 @@ pub(crate) struct FoundLoops {
     pub relations: Vec<Relation>,
     /// For each half-edge a place in the list of this frame, or else of the last, or else of some frame before.
     places: Vec<u32>,
+    /// Places in the old trail whose faces answer in another way now, ascending.
+    news: Vec<u32>,
+    /// Whether the half-edge at each old place was taken over in this frame; those that were found but not taken over.
+    taken: Vec<bool>,
+    stepped: Vec<HalfEdgeId>,
+    /// A bit for each half-edge: whether it is old. So much smaller than `places` that the question where a half-edge
+    /// is new seldom waits for memory.
+    are_old: Vec<u64>,
 }
 
 impl FoundLoops {
-    /// Makes this frame's loops the old ones.
+    /// Makes this frame's loops the old ones. [`compare`](Self::compare) has to follow before loops are completed.
     pub fn begin_frame(&mut self, half_edges: usize) {
         self.places.resize(half_edges, 0);
+        self.are_old.resize(half_edges.div_ceil(64), 0);
+        for (half_edge, _) in self.old.loops.half_edges().iter().zip(&self.taken).filter(|(_, is_taken)| !**is_taken) {
+            self.are_old[half_edge.index() / 64] &= !(1 << (half_edge.index() % 64));
+        }
+        for half_edge in self.stepped.drain(..) {
+            self.are_old[half_edge.index() / 64] |= 1 << (half_edge.index() % 64);
+        }
         std::mem::swap(&mut self.now, &mut self.old);
         self.now.clear();
         self.relations.clear();
+        self.taken.clear();
+        self.taken.resize(self.old.loops.half_edges().len(), false);
+    }
+
+    /// Asks the faces along the old loops how they answer in this view. O(their number).
+    pub fn compare(&mut self, faces: &mut Faces) {
+        self.news.clear();
+        faces.compare(&self.old.trail, &mut self.news);
     }
 
     /// Forgets all loops, old and new.
@@ -95,6 +139,9 @@ impl FoundLoops {
         self.now.clear();
         self.old.clear();
         self.relations.clear();
+        self.taken.clear();
+        self.stepped.clear();
+        self.are_old.fill(0);
     }
 
     /// Whether a half-edge was found in this frame.
@@ -104,14 +151,25 @@ impl FoundLoops {
         self.now.loops.half_edges().get(place) == Some(&half_edge)
     }
 
-    /// Whether a half-edge was silhouette in the last frame. Of one that was found in this frame there may be no
-    /// answer.
+    /// Whether the half-edge at an old place is known to have been found in this frame: [`is_found`](Self::is_found) asked
+    /// in the order of memory. Where the answer is no it may have been found nonetheless.
     #[inline]
-    pub fn is_old(&self, half_edge: HalfEdgeId) -> bool {
-        self.old_place(half_edge).is_some()
+    pub fn is_taken(&self, place: usize) -> bool {
+        self.taken[place]
     }
 
+    /// Whether a half-edge was silhouette in the last frame.
+    #[inline]
+    pub fn is_old(&self, half_edge: HalfEdgeId) -> bool {
+        self.are_old[half_edge.index() / 64] >> (half_edge.index() % 64) & 1 == 1
+    }
+
+    /// Where an old half-edge was listed. Of one that was found in this frame there may be no answer.
+    #[inline]
     fn old_place(&self, half_edge: HalfEdgeId) -> Option<usize> {
+        if !self.is_old(half_edge) {
+            return None;
+        }
         let place = self.places[half_edge.index()] as usize;
         (self.old.loops.half_edges().get(place) == Some(&half_edge)).then_some(place)
     }
@@ -148,7 +206,7 @@ impl FoundLoops {
                 }
                 // The start is where the loop ends, not a place to run past.
                 let end = start_place.filter(|at| (place + 1..old_range.end).contains(at)).unwrap_or(old_range.end);
-                let reached = self.run(faces, place..end);
+                let reached = self.run(place..end);
                 self.relate(old_loop as u32, index, (reached - place) as u32);
                 if reached == end {
                     half_edge = self.old.loops.half_edges()[if end == old_range.end { old_range.start } else { end }];
@@ -169,54 +227,86 @@ impl FoundLoops {
         index
     }
 
-    /// Takes over old half-edges from these places as long as every face asked about on the way to the next one answers
-    /// as before. The place of the first half-edge from which another way leads on, or the end.
-    fn run(&mut self, faces: &mut Faces, places: Range<usize>) -> usize {
-        let Self { now, old, places: place_of, .. } = self;
-        let begin = old.trail_begin(places.start);
-        let trail = &old.trail[begin..old.trail_begin(places.end)];
-        let same = trail.iter().position(|asked| faces.is_front(asked.face()) != asked.was_front());
-        let reached = match same {
-            None => places.end,
-            Some(turned) => {
-                let ends = &old.trail_ends[places.clone()];
-                places.start + ends.partition_point(|&end| end as usize <= begin + turned)
+    /// Takes over an old loop and those after it, up to one that is not the same any more or was found before, all in one
+    /// piece. The index of that one. O(half-edges taken over).
+    pub fn take_over_resting(&mut self, faces: &mut Faces, first: usize) -> usize {
+        let begin = self.old.loops.range(first).start;
+        let next_new = self.next_new(self.old.trail_begin(begin)).map_or(usize::MAX, |at| at as usize);
+        let mut next = first;
+        while next < self.old.loops.len() {
+            let range = self.old.loops.range(next);
+            let is_same = self.old.trail_begin(range.end) <= next_new && !self.taken[range.start];
+            // The trail says all of a loop but that the face where it begins still is front.
+            if !is_same || !faces.is_front(self.old.loops.half_edges()[range.start].face()) {
+                break;
             }
-        };
-        let taken = places.start..reached;
-        for (&half_edge, place) in old.loops.half_edges()[taken.clone()].iter().zip(now.trail_ends.len() as u32..) {
-            place_of[half_edge.index()] = place;
-            now.loops.push(half_edge);
+            let new = (self.now.loops.len() + next - first) as u32;
+            self.relations.push(Relation { old: next as u32, new, shared: range.len() as u32 });
+            next += 1;
         }
+        if next > first {
+            let end = self.old.loops.range(next - 1).end;
+            self.take_over_trail(begin..end);
+            self.now.loops.extend_from_loops(&self.old.loops, first..next);
+        }
+        next
+    }
+
+    /// The first place in the old trail, from this one on, at which the answer is new.
+    fn next_new(&self, trail_begin: usize) -> Option<u32> {
+        self.news.get(self.news.partition_point(|&at| (at as usize) < trail_begin)).copied()
+    }
+
+    /// Takes over all but the half-edges themselves.
+    fn take_over_trail(&mut self, old_places: Range<usize>) {
+        let Self { now, old, places, .. } = self;
+        let half_edges = &old.loops.half_edges()[old_places.clone()];
+        for (half_edge, place) in half_edges.iter().zip(now.trail_ends.len() as u32..) {
+            places[half_edge.index()] = place;
+        }
+        let (begin, end) = (old.trail_begin(old_places.start), old.trail_begin(old_places.end));
         // Both trails are shorter than the number of half-edges, so their places fit 32 bits.
         let shift = (now.trail.len() as u32).wrapping_sub(begin as u32);
-        now.trail.extend_from_slice(&old.trail[begin..old.trail_begin(reached)]);
-        now.trail_ends.extend(old.trail_ends[taken].iter().map(|end| end.wrapping_add(shift)));
+        now.trail.extend_from_slice(&old.trail[begin..end]);
+        now.trail_ends.extend(old.trail_ends[old_places.clone()].iter().map(|end| end.wrapping_add(shift)));
+        self.taken[old_places].fill(true);
+    }
+
+    /// Takes over old half-edges from these places up to a new answer on the way to the next one. The place of the
+    /// first half-edge from which another way leads on, or the end.
+    fn run(&mut self, places: Range<usize>) -> usize {
+        let old = &self.old;
+        let reached = match self.next_new(old.trail_begin(places.start)) {
+            Some(turned) => places.start + old.trail_ends[places.clone()].partition_point(|&end| end <= turned),
+            None => places.end,
+        };
+        let taken = places.start..reached;
+        self.now.loops.extend_from_slice(&old.loops.half_edges()[taken.clone()]);
+        self.take_over_trail(taken);
         reached
     }
 
-    /// Lists a silhouette half-edge and turns about its end vertex, inside the fan of front faces, to the next. O(faces
-    /// in the fan).
+    /// Lists a silhouette half-edge and walks to the next. O(faces in the fan).
     fn step(&mut self, faces: &mut Faces, half_edge: HalfEdgeId) -> HalfEdgeId {
         let WalkedLoops { loops, trail, trail_ends } = &mut self.now;
         self.places[half_edge.index()] = trail_ends.len() as u32;
         loops.push(half_edge);
-        let mut candidate = Side::of(half_edge).next_in_face();
-        while let Some(across) = faces.across(candidate) {
-            let is_front = faces.is_front(across.face);
-            trail.push(Asked::new(across.face, is_front));
-            if !is_front {
-                break;
-            }
-            candidate = across.next_in_face();
-        }
+        self.stepped.push(half_edge);
+        let table = faces.surface.table;
+        let is_front = |face| {
+            let is_front = faces.is_front(face);
+            trail.push(Asked::new(face, is_front));
+            is_front
+        };
+        let next = next_silhouette_side(table, is_front, Side::of(half_edge));
         trail_ends.push(trail.len() as u32);
-        candidate.half_edge()
+        next.half_edge()
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        let lists = size_of_val(self.places.as_slice()) + size_of_val(self.relations.as_slice());
-        lists + self.now.bytes() + self.old.bytes()
+        let marks = size_of_val(self.places.as_slice()) + size_of_val(self.news.as_slice()) + self.taken.len();
+        let sets = size_of_val(self.are_old.as_slice()) + size_of_val(self.stepped.as_slice());
+        marks + sets + size_of_val(self.relations.as_slice()) + self.now.bytes() + self.old.bytes()
     }
 }

@@ -147,11 +147,6 @@ impl ConnectivityTable {
         self.rows[face.index()].plane
     }
 
-    /// The planes of all faces, in the order of their ids.
-    pub(crate) fn planes(&self) -> impl ExactSizeIterator<Item = (FaceId, [f32; 4])> {
-        self.rows.iter().enumerate().map(|(face, row)| (FaceId::new(face as u32), row.plane))
-    }
-
     /// Whether the plane of a face is known to 32 bits; not so for needles and faces without area.
     pub(crate) fn is_reliable(&self, face: FaceId) -> bool {
         self.plane(face)[..3].iter().any(|&coordinate| coordinate != 0.0)

@@ -41,7 +41,8 @@ pub(crate) fn detect_in_border_list(
     }
 }
 
-fn complete_new(faces: &mut Faces, loops: &mut FoundLoops, half_edge: HalfEdgeId) {
+/// Completes a loop unless it was found before.
+pub(crate) fn complete_new(faces: &mut Faces, loops: &mut FoundLoops, half_edge: HalfEdgeId) {
     if !loops.is_found(half_edge) {
         loops.complete(faces, half_edge);
     }

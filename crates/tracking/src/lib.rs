@@ -20,8 +20,8 @@
 //! # When to choose it
 //!
 //! Where the view changes little from frame to frame, and loops are wanted in order. What is found is silhouette, always:
-//! facings are exact, and loops complete. The exact mode misses nothing and, at small steps, is faster than tracking at any
-//! level, so it is the first to try. What is missed by level:
+//! facings are exact, and loops complete. The exact mode misses nothing and, at small steps, is faster than tracking up to
+//! level 0.2, so it is the first to try. What is missed by level:
 //!
 //! - at level 0 with all edges tested, only what is neither reached from an old edge nor holds a concave edge or a
 //!   border: nothing in all that the tests try, but there is no proof for large steps;
@@ -43,8 +43,13 @@
 //! 5. Loops run counter-clockwise around front faces.
 //! 6. The concave edges of a level are searched in the order of memory, not of angle, and their faces are evaluated
 //!    first.
-//! 7. Completing a loop runs along the trail of the last frame while all faces answer as they did then
-//!    (`complete_silhouette`): the same faces are evaluated, in less time. Brute force does so too.
+//! 7. All faces that the loops of the last frame were walked along are evaluated first, four at a time, and what no
+//!    turned face lies on is copied instead of walked (`complete_silhouette`). With all edges tested at most 0.6 % more
+//!    faces are evaluated for it on the bunny; with single edges 0.5 % at 0.1 degrees a frame, and 16 % at 10 degrees,
+//!    where much of what was is never walked again.
+//!
+//! The baseline, [`BruteForce`], does nothing of the kind: it has no past, and evaluates one face after the other.
+//! [`BruteForce::in_fours`] evaluates as tracking does.
 //!
 //! # Cost
 //!

@@ -23,7 +23,7 @@
 
 use silhouette_core::Viewpoint;
 use silhouette_core::facing::{Facing, Judgement, judge};
-use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::glam::{DVec3, Mat4, Vec3, Vec4};
 
 /// A face's sides span less than this sine: its plane is not trusted to 64 bits. See the [module](self).
 const NEEDLE_SINE: f64 = 1.0 / 262_144.0;
@@ -108,6 +108,16 @@ impl PlaneTest {
         if distance.abs() > self.error { Some(distance > 0.0) } else { None }
     }
 
+    /// Which of four faces are front, a bit each; `None` where the bound does not tell it of all.
+    #[inline]
+    pub fn certified_four(&self, planes: [[f32; 4]; 4]) -> Option<u32> {
+        let n = Mat4::from_cols_array_2d(&planes).transpose();
+        let p = self.point;
+        let distances = (n.x_axis * p[0] + n.y_axis * p[1]) + (n.z_axis * p[2] + n.w_axis * p[3]);
+        let are_certain = distances.abs().cmpgt(Vec4::splat(self.error)).all();
+        are_certain.then(|| distances.cmpgt(Vec4::ZERO).bitmask())
+    }
+
     /// The exact facing of a face with this plane, whose corners `corners` yields.
     #[inline]
     pub fn judge(&self, plane: [f32; 4], corners: impl FnOnce() -> [Vec3; 3]) -> Judgement {
@@ -176,8 +186,11 @@ mod tests {
             let table = table(&mesh);
             let test = table.test(&viewpoint);
             for face in (0..mesh.face_count()).map(FaceId::from_usize) {
-                if let Some(is_front) = test.certified(table.plane(face)) {
-                    let expected = judge(mesh.corners(face), &viewpoint).facing == Facing::Front;
+                let expected = judge(mesh.corners(face), &viewpoint).facing == Facing::Front;
+                let of_one = test.certified(table.plane(face));
+                let four = [face, FaceId::new(0), face, FaceId::new(0)].map(|face| table.plane(face));
+                let of_four = test.certified_four(four).map(|fronts| [fronts & 1 == 1, fronts & 4 == 4]);
+                for is_front in of_one.into_iter().chain(of_four.into_iter().flatten()) {
                     prop_assert_eq!(is_front, expected, "face {} of {:?} from {:?}", face, mesh, viewpoint);
                 }
             }

@@ -14,18 +14,8 @@ use crate::stats::TrackingStats;
 use crate::track::{check_walks, follow};
 use std::ops::ControlFlow;
 
-/// Tests as few edges of each old loop as lead to a new one.
-pub(crate) fn track_single_edges(
-    faces: &mut Faces,
-    loops: &mut FoundLoops,
-    walk_start: WalkStart,
-    stats: &mut TrackingStats,
-) -> ControlFlow<()> {
-    (0..loops.old.loops.len()).try_for_each(|old| track_loop(faces, loops, old, walk_start, stats))
-}
-
-/// Tests edges of one old loop until one leads to a new loop.
-fn track_loop(
+/// Tests edges of an old loop until one leads to a new loop.
+pub(crate) fn track_single_edge(
     faces: &mut Faces,
     loops: &mut FoundLoops,
     old: usize,

@@ -61,28 +61,46 @@ pub(crate) fn check_walks(faces: &Faces, stats: &TrackingStats) -> ControlFlow<(
     }
 }
 
-/// Tests every edge of every old loop, unless walks become too long.
+/// Takes over the old loops that rest, one test each, and hands the others to `track_loop` unless walks become too long.
+pub(crate) fn track_loops(
+    faces: &mut Faces,
+    loops: &mut FoundLoops,
+    stats: &mut TrackingStats,
+    mut track_loop: impl FnMut(&mut Faces, &mut FoundLoops, usize, &mut TrackingStats) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let mut old = 0;
+    while old < loops.old.loops.len() {
+        let moving = loops.take_over_resting(faces, old);
+        stats.edges_tested += (moving - old) as u64;
+        if moving < loops.old.loops.len() {
+            track_loop(faces, loops, moving, stats)?;
+        }
+        old = moving + 1;
+    }
+    ControlFlow::Continue(())
+}
+
+/// Tests every edge of an old loop.
 pub(crate) fn track_all_edges(
     faces: &mut Faces,
     loops: &mut FoundLoops,
+    old: usize,
     walk_start: WalkStart,
     stats: &mut TrackingStats,
 ) -> ControlFlow<()> {
-    for old in 0..loops.old.loops.len() {
-        for place in loops.old.loops.range(old) {
-            let half_edge = loops.old.loops.half_edges()[place];
-            // Found before: part of the silhouette, and completing it noted where it came from.
-            if loops.is_found(half_edge) {
-                continue;
-            }
-            if let Some(lead) = follow(faces, loops, half_edge, walk_start, stats) {
-                let new = loops.complete(faces, lead.half_edge);
-                if let Some(shared) = lead.shared {
-                    loops.relate(old as u32, new, shared);
-                }
-            }
-            check_walks(faces, stats)?;
+    for place in loops.old.loops.range(old) {
+        let half_edge = loops.old.loops.half_edges()[place];
+        // Found before: part of the silhouette, and completing it noted where it came from.
+        if loops.is_taken(place) || loops.is_found(half_edge) {
+            continue;
         }
+        if let Some(lead) = follow(faces, loops, half_edge, walk_start, stats) {
+            let new = loops.complete(faces, lead.half_edge);
+            if let Some(shared) = lead.shared {
+                loops.relate(old as u32, new, shared);
+            }
+        }
+        check_walks(faces, stats)?;
     }
     ControlFlow::Continue(())
 }

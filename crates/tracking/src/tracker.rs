@@ -6,7 +6,7 @@ use crate::budget::{Audit, BudgetMode};
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::{ActiveEdges, TrackedEdges};
 use crate::connectivity_table::ConnectivityTable;
-use crate::detect_new::{detect_in_border_list, detect_in_concave_list};
+use crate::detect_new::{complete_new, detect_in_border_list, detect_in_concave_list};
 use crate::exact::ExactMode;
 use crate::eye_crossing::ClearBall;
 use crate::faces::Faces;
@@ -14,9 +14,9 @@ use crate::identity::{LoopEvents, LoopId, LoopIdentities};
 use crate::options::{Accuracy, Concavity, MeshPolicy, TestedEdges, TrackingOptions};
 use crate::refuse::NotTrackable;
 use crate::scene::Scene;
-use crate::single_edge::track_single_edges;
+use crate::single_edge::track_single_edge;
 use crate::stats::{BruteForceReason, TrackingStats};
-use crate::track::track_all_edges;
+use crate::track::{track_all_edges, track_loops};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::method::PositionsError;
 use silhouette_core::{FacingMemo, SilhouetteLoops, TriangleMesh, Viewpoint};
@@ -24,8 +24,8 @@ use std::sync::Arc;
 
 /// Follows the silhouette loops of a mesh from frame to frame. See the [crate](crate) for the method and what it costs.
 ///
-/// Memory beyond the artefacts: 13 bytes a face (a place a half-edge, the memory of facings), 8 bytes a selected
-/// concave edge and 20 for each face there, some 40 bytes a silhouette edge.
+/// Memory beyond the artefacts: 13.4 bytes a face (a place and a bit a half-edge, the memory of facings), 8 bytes a
+/// selected concave edge and 20 for each face there, some 40 bytes a silhouette edge.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     scene: Scene,
@@ -123,19 +123,24 @@ impl Tracker {
         let mut faces = Faces::new(scene.surface(), viewpoint, memo);
         if stats.brute_force.is_some() {
             classify(&mut faces);
-            check_edges(&mut faces, loops, stats);
+            loops.compare(&mut faces);
+            check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
         } else {
             // Facings that are needed in any case come first, while nothing is known: in one run through memory.
-            faces.evaluate(active.faces.iter().copied().zip(active.planes.iter().copied()));
-            let tracked = match options.tested_edges {
-                TestedEdges::All => track_all_edges(&mut faces, loops, options.walk_start, stats),
-                TestedEdges::Single => track_single_edges(&mut faces, loops, options.walk_start, stats),
+            faces.evaluate(active.faces.len(), |index| (active.faces[index], active.planes[index]));
+            loops.compare(&mut faces);
+            let track_loop = match options.tested_edges {
+                TestedEdges::All => track_all_edges,
+                TestedEdges::Single => track_single_edge,
             };
+            let tracked = track_loops(&mut faces, loops, stats, |faces, loops, old, stats| {
+                track_loop(faces, loops, old, options.walk_start, stats)
+            });
             stats.loops_tracked = loops.now.loops.len() as u64;
             if tracked.is_break() {
                 stats.brute_force = Some(BruteForceReason::LongWalks);
                 classify_the_rest(&mut faces);
-                check_edges(&mut faces, loops, stats);
+                check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             } else {
                 detect_in_concave_list(&mut faces, loops, active, stats);
                 detect_in_border_list(&mut faces, loops, scene.edges().border(), stats);
@@ -147,7 +152,7 @@ impl Tracker {
         {
             let tracked = faces.length_of(loops.now.loops.half_edges());
             classify_the_rest(&mut faces);
-            check_edges(&mut faces, loops, stats);
+            check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             let whole = faces.length_of(loops.now.loops.half_edges());
             let missed_share = if whole > 0.0 { (1.0 - tracked / whole).max(0.0) } else { 0.0 };
             let audit = Audit { level: options.concavity, ..budget.conclude(missed_share) };

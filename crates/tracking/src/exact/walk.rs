@@ -1,8 +1,9 @@
 //! The loops of a frame, woven from those of the last.
 
+use crate::complete_silhouette::next_silhouette_side;
 use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::identity::Relation;
-use silhouette_core::{FaceFacings, FaceId, HalfEdgeId, SilhouetteLoops};
+use silhouette_core::{FaceFacings, HalfEdgeId, SilhouetteLoops};
 use std::ops::Range;
 
 /// What has become of an old half-edge.
@@ -154,16 +155,4 @@ impl LoopWeaver {
         let lists = size_of_val(self.relations.as_slice()) + size_of_val(self.new.as_slice()) + self.fates.len();
         size_of_val(self.places.as_slice()) + self.loops.bytes() + self.old.bytes() + lists
     }
-}
-
-/// The silhouette half-edge that follows another in its loop. O(faces in the fan).
-#[inline]
-fn next_silhouette_side(table: &ConnectivityTable, is_front: impl Fn(FaceId) -> bool, side: Side) -> Side {
-    let mut candidate = side.next_in_face();
-    while let Some(across) = table.across(candidate)
-        && is_front(across.face)
-    {
-        candidate = across.next_in_face();
-    }
-    candidate
 }

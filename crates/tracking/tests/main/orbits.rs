@@ -52,13 +52,18 @@ fn level_0_equals_brute_force_on_built_in_shapes() {
     }
 }
 
+/// Frames an orbit: few on large meshes unless `SILHOUETTES_ORBIT_FRAMES` says how many.
+fn frames(few: u32) -> u32 {
+    std::env::var("SILHOUETTES_ORBIT_FRAMES").map_or(few, |frames| frames.parse().expect("a number of frames"))
+}
+
 #[test]
 fn level_0_equals_brute_force_on_real_meshes() {
     for scene in real_meshes("level_0_equals_brute_force_on_real_meshes") {
         if !scene.table.defects().is_empty() {
             continue;
         }
-        let frames = if scene.mesh.face_count() < 15_000 { 500 } else { 40 };
+        let frames = frames(if scene.mesh.face_count() < 15_000 { 500 } else { 40 });
         for step_deg in [0.1, 1.0, 10.0] {
             let fresh_frames = equals_brute_force(&scene, scene.orbit(step_deg, frames));
             // Steps larger than the loops of small or inverted pieces: walks that lead nowhere.

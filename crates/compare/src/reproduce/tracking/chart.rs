@@ -71,7 +71,7 @@ const FAMILIES: [Family; 9] = [
 impl Family {
     fn of(variant: Variant) -> Self {
         match variant {
-            Variant::BruteForce => Self::BruteForce,
+            Variant::BruteForce | Variant::BruteForceInFours => Self::BruteForce,
             Variant::Level(_, TestedEdges::All) => Self::Levels,
             Variant::Level(_, TestedEdges::Single) => Self::Single,
             Variant::Exact => Self::Exact,
@@ -84,7 +84,7 @@ impl Family {
         match self {
             Self::Levels => "tracking by level N".to_owned(),
             Self::Single => "tracking, single edges".to_owned(),
-            Self::BruteForce => Variant::BruteForce.label(),
+            Self::BruteForce => "brute force (Hall; in fours)".to_owned(),
             Self::Exact => Variant::Exact.label(),
             Self::Budget => Variant::Budget.label(),
             Self::Today(name, asked) => Variant::Today(name, asked).label(),
@@ -377,7 +377,7 @@ mod tests {
 
     #[test]
     fn marks_that_are_as_good_as_one_share_their_words() {
-        let variants = &reproduction().meshes[0].variants[1..4];
+        let variants = &reproduction().meshes[0].variants[2..5];
         let texts =
             |marks: [[f64; 2]; 3]| labels(variants, &marks).into_iter().map(|label| label.label).collect::<Vec<_>>();
         assert_eq!(texts([[0.0, 0.0], [3.0, 0.0], [90.0, 0.0]]), ["0, 0.01", "0.1"]);

@@ -1,6 +1,40 @@
 //! What a frame takes in faces: the same on every machine.
+//!
+//! Counted over one flight from a frame that is found by brute force, as the paper's first is: each variant is its own, has
+//! no other past, and counts all frames but that first one.
 
 use super::variants::Flier;
+use crate::record::Profile;
+use silhouette_core::{Cancelled, Progress, Viewpoint};
+
+/// Frames of the flight: with [`Profile::Full`] a whole turn.
+pub fn flight_frames(profile: Profile) -> u32 {
+    match profile {
+        Profile::Quick => 360,
+        Profile::Full => 3600,
+    }
+}
+
+/// Flies around a mesh of `faces` faces and counts.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn count_flight(
+    flier: &mut Flier,
+    flight: impl Iterator<Item = Viewpoint>,
+    faces: usize,
+    progress: &dyn Progress,
+) -> Result<Counted, Cancelled> {
+    let mut counted = Counted::default();
+    for (frame, view) in flight.enumerate() {
+        progress.check()?;
+        flier.frame(&view);
+        if frame > 0 {
+            counted.count(flier, faces);
+        }
+    }
+    Ok(counted)
+}
 
 /// Faces evaluated over some frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -1,7 +1,8 @@
 //! Every variant over the path around every mesh.
 
-use super::counted::Counted;
-use super::path::{Frame, Path};
+use super::counted::{Counted, count_flight, flight_frames};
+use super::paper::model_of;
+use super::path::{CIRCLE, Circle, Frame, Path, circles};
 use super::recall::Missed;
 use super::timed::time_frames;
 use super::variants::{Flier, Variant};
@@ -11,10 +12,12 @@ use crate::machine::{describe_machine, describe_program};
 use crate::record::Profile;
 use crate::runner::NamedMesh;
 use silhouette_core::loops::start_vertex;
+use silhouette_core::mesh::Bounds;
 use silhouette_core::method::PrepareError;
-use silhouette_core::{Cancelled, HalfEdgeId, Progress, SilhouetteEdges, SilhouetteLoops, Topology};
+use silhouette_core::{Cancelled, HalfEdgeId, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops, Topology};
 use silhouette_render::Gpu;
 use silhouette_tracking::{ConnectivityTable, NotTrackable, TrackedEdges};
+use std::sync::Arc;
 
 /// Why nothing was measured.
 #[derive(Debug, thiserror::Error)]
@@ -88,6 +91,9 @@ pub struct VariantResult {
     pub variant: Variant,
     /// Faces evaluated.
     pub counted: Counted,
+    /// Least and greatest speed-up counted over twenty circles: of the paper's levels on its model, with
+    /// [`Profile::Full`].
+    pub counted_range: Option<[f64; 2]>,
     /// Median time of a frame in microseconds.
     pub median_us: f64,
     /// Brute force's median time over this one's.
@@ -145,7 +151,6 @@ struct Truth<'a> {
 
 /// What one variant did on the measured frames.
 struct Observed {
-    counted: Counted,
     missed: Missed,
     /// The edges found in the frames that are pictured.
     pictured: Vec<SilhouetteEdges>,
@@ -173,8 +178,9 @@ fn measure_mesh(
     let variants = Variant::all();
     progress.stage(&format!("{name}: flight"), variants.len() as u64);
     let mut truth = Truth { mesh: named, topology: table.topology(), frames: Vec::new() };
-    let (mut fliers, mut states, mut observed) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut fliers, mut states, mut observed, mut counts) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for &variant in &variants {
+        counts.push(count(profile, variant, mesh, bounds, progress).map_err(failed)?);
         let mut flier = variant.prepare(mesh, progress).map_err(failed)?;
         if let Flier::Tracker(_) = flier {
             path.lead_in().for_each(|view| flier.frame(&view));
@@ -192,11 +198,20 @@ fn measure_mesh(
         VisibleFrames::find(gpu, mesh, &path, &drawn, profile.size(), progress).map_err(|error| error.to_string())
     });
     let medians: Vec<f64> = times_us.iter().map(|us| Spread::of(us).map_or(f64::NAN, |spread| spread.median)).collect();
-    let results = variants.iter().zip(&observed).zip(&medians).map(|((&variant, observed), &median_us)| {
-        let missed_visible = visible.as_ref().ok().map(|visible| visible.missed(&observed.pictured).percent());
-        let (counted, missed) = (observed.counted, observed.missed);
-        VariantResult { variant, counted, median_us, speed_up: medians[0] / median_us, missed, missed_visible }
-    });
+    let results =
+        variants.iter().zip(&observed).zip(&medians).zip(counts).map(|(((&variant, observed), &median_us), counts)| {
+            let missed_visible = visible.as_ref().ok().map(|visible| visible.missed(&observed.pictured).percent());
+            let ((counted, counted_range), missed) = (counts, observed.missed);
+            VariantResult {
+                variant,
+                counted,
+                counted_range,
+                median_us,
+                speed_up: medians[0] / median_us,
+                missed,
+                missed_visible,
+            }
+        });
     let mean = |count: fn(&SilhouetteLoops) -> usize| {
         truth.frames.iter().map(|loops| count(loops) as f64).sum::<f64>() / truth.frames.len().max(1) as f64
     };
@@ -212,6 +227,32 @@ fn measure_mesh(
     })
 }
 
+/// Counts a variant on the circle, and the range of a level of the paper's model over all circles.
+fn count(
+    profile: Profile,
+    variant: Variant,
+    mesh: &Arc<PreparedMesh>,
+    bounds: Bounds,
+    progress: &dyn Progress,
+) -> Result<(Counted, Option<[f64; 2]>), PrepareError> {
+    let faces = mesh.mesh().face_count();
+    let count = |circle: Circle| {
+        let flight = circle.flight(bounds, flight_frames(profile));
+        Ok::<_, PrepareError>(count_flight(&mut variant.prepare(mesh, progress)?, flight, faces, progress)?)
+    };
+    let is_printed = model_of(faces).is_some() && variant.paper_column().is_some();
+    if profile != Profile::Full || !is_printed {
+        return Ok((count(CIRCLE)?, None));
+    }
+    let mut range = [f64::INFINITY, 0.0];
+    for circle in circles() {
+        if let Some(speed_up) = count(circle)?.speed_up() {
+            range = [range[0].min(speed_up), range[1].max(speed_up)];
+        }
+    }
+    Ok((count(CIRCLE)?, Some(range)))
+}
+
 /// Flies the frames and judges them. The first flier is brute force, whose answers are the truth.
 fn observe(
     flier: &mut Flier,
@@ -220,7 +261,7 @@ fn observe(
     truth: &mut Truth<'_>,
     progress: &dyn Progress,
 ) -> Result<Observed, Cancelled> {
-    let mut observed = Observed { counted: Counted::default(), missed: Missed::default(), pictured: Vec::new() };
+    let mut observed = Observed { missed: Missed::default(), pictured: Vec::new() };
     let mut edges = SilhouetteEdges::default();
     let mut measured = 0;
     for frame in frames {
@@ -229,10 +270,9 @@ fn observe(
         if !frame.is_measured {
             continue;
         }
-        if let Flier::BruteForce(brute_force) = &*flier {
+        if let (Flier::BruteForce(brute_force), true) = (&*flier, truth.frames.len() == measured) {
             truth.frames.push(brute_force.loops().clone());
         }
-        observed.counted.count(flier, truth.mesh.mesh.mesh().face_count());
         flier.edges(truth.topology, &mut edges);
         truth.judge(measured, &edges, &mut observed.missed);
         if pictured.contains(&measured) {
@@ -258,8 +298,8 @@ impl Truth<'_> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use silhouette_core::{NoProgress, PreparedMesh, shapes};
-    use std::sync::{Arc, OnceLock};
+    use silhouette_core::{NoProgress, shapes};
+    use std::sync::OnceLock;
 
     fn named(shape: &str) -> NamedMesh {
         NamedMesh { name: shape.to_owned(), mesh: Arc::new(PreparedMesh::new(shapes::by_name(shape).unwrap())) }
@@ -285,7 +325,7 @@ pub(super) mod tests {
             let may_miss = match result.variant {
                 Variant::Level(level, _) => level != Some(0.0),
                 Variant::Budget => true,
-                Variant::BruteForce | Variant::Exact | Variant::Today(..) => false,
+                Variant::BruteForce | Variant::BruteForceInFours | Variant::Exact | Variant::Today(..) => false,
             };
             assert!(may_miss || missed.iter().all(|&percent| percent <= 0.0), "{}: {missed:?}", result.variant.label());
             assert!(result.median_us > 0.0 && result.speed_up > 0.0 && result.missed_visible.is_none());
@@ -300,7 +340,7 @@ pub(super) mod tests {
         let counted = |result: &VariantResult| result.counted.speed_up().unwrap();
         let variants = &reproduction().meshes[0].variants;
         assert_eq!(variants[0].counted.speed_up(), Some(1.0));
-        let levels: Vec<f64> = variants[..7].iter().map(counted).collect();
+        let levels: Vec<f64> = variants[1..8].iter().map(counted).collect();
         assert!(levels.is_sorted() && levels[6] > 1.5, "{levels:?}");
         assert!(variants.iter().all(|result| result.counted.fallbacks == 0));
     }

@@ -2,8 +2,8 @@
 
 use super::measure::{MeshResult, Reproduction};
 use super::paper::{BUNNY, model_of};
-use super::path::{DISTANCE_RADII, ELEVATION_DEG, STEP_DEG};
-use super::table::{COLUMNS, cells, describe};
+use super::path::{CIRCLE, STEP_DEG};
+use super::table::{COLUMNS, cells, counted_ranges, describe};
 use super::timed::ROUNDS;
 use minijinja::{Environment, Value, context};
 
@@ -24,8 +24,8 @@ pub fn render(reproduction: &Reproduction, chart: &str) -> Result<String, miniji
         profile => reproduction.profile.name(),
         frames => reproduction.frames,
         step => STEP_DEG,
-        distance => DISTANCE_RADII.to_string(),
-        below => (-ELEVATION_DEG).to_string(),
+        distance => CIRCLE.distance_radii.to_string(),
+        below => (-CIRCLE.elevation_deg).to_string(),
         rounds => ROUNDS,
         machine => &reproduction.machine,
         program => &reproduction.program,
@@ -47,6 +47,7 @@ fn section(mesh: &MeshResult) -> Value {
         about => describe(mesh),
         model => model_of(mesh.faces).map(|model| model.name),
         without_visible => &mesh.without_visible,
+        counted_ranges => counted_ranges(mesh),
         rows => rows.collect::<Vec<_>>(),
     }
 }

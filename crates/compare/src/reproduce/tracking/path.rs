@@ -1,10 +1,11 @@
 //! The path of the eye: a level circle, a tenth of a degree a frame where it is measured.
 //!
 //! The paper says that the position differs from frame to frame, and no more. Its counts at high levels follow the length
-//! of the silhouette, which the path decides: over twenty circles (1.5 to 20 radii away, 40 degrees below to 80 above the
-//! horizon), level 1 ranges from 6.8 to 9.2 on the bunny. This circle is one of a dozen that come close to the paper.
+//! of the silhouette, which the path decides. So counts are told with their range over twenty circles ([`circles`]); all
+//! else is measured on [`CIRCLE`], one of them, which comes close to the paper.
 //!
-//! Twelve arcs of small steps, evenly around the mesh, are measured. Between them, and for a whole turn before the first,
+//! Counts are those of one flight ([`Circle::flight`]) whose first frame is found by brute force, as the paper begins. For
+//! all else twelve arcs of small steps, evenly around the mesh, are measured. Between them, and for a whole turn before the first,
 //! the eye flies on in steps of a degree: trackers keep their past, so that what they miss is what is missed after any long
 //! flight, and not what brute force has left them to lose.
 
@@ -17,11 +18,39 @@ use silhouette_core::view::{Camera, Projection, ViewError};
 /// From frame to frame.
 pub const STEP_DEG: f64 = 0.1;
 
-/// Of the eye from the middle of the mesh, in radii of its bounding sphere.
-pub const DISTANCE_RADII: f64 = 2.0;
+/// A level circle around a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Circle {
+    /// Of the eye from the middle of the mesh, in radii of its bounding sphere.
+    pub distance_radii: f64,
+    /// Of the eye above the horizon.
+    pub elevation_deg: f64,
+}
 
-/// Of the eye above the horizon.
-pub const ELEVATION_DEG: f64 = -40.0;
+/// The circle that is flown.
+pub const CIRCLE: Circle = Circle { distance_radii: 2.0, elevation_deg: -40.0 };
+
+/// Twenty circles, near and far, from below and above: [`CIRCLE`] is among them.
+pub fn circles() -> impl Iterator<Item = Circle> {
+    let elevations =
+        |distance_radii| [-40.0, 0.0, 40.0, 80.0].map(|elevation_deg| Circle { distance_radii, elevation_deg });
+    [1.5, 2.0, 3.0, 6.0, 20.0].into_iter().flat_map(elevations)
+}
+
+impl Circle {
+    fn eye(self, bounds: Bounds, azimuth_deg: f64) -> Vec3 {
+        let (sin, cos) = azimuth_deg.to_radians().sin_cos();
+        let (up, level) = self.elevation_deg.to_radians().sin_cos();
+        let direction = DVec3::new(cos * level, up, sin * level);
+        (bounds.center + direction * (self.distance_radii * bounds.radius)).as_vec3()
+    }
+
+    /// One frame and then this many more, each [`STEP_DEG`] on.
+    pub fn flight(self, bounds: Bounds, frames: u32) -> impl Iterator<Item = Viewpoint> {
+        let azimuth_deg = |frame| FIRST_ARC_DEG + STEP_DEG * f64::from(frame);
+        (0..=frames).map(move |frame| Viewpoint::Perspective { eye: self.eye(bounds, azimuth_deg(frame)) })
+    }
+}
 
 /// Where the first arc begins.
 const FIRST_ARC_DEG: f64 = 24.0;
@@ -86,19 +115,12 @@ impl Path {
         let eye = match frame.view {
             Viewpoint::Perspective { eye } | Viewpoint::Orthographic { toward_viewer: eye } => eye,
         };
-        let fov_y_rad = 2.0 * ((1.0 + MARGIN) / DISTANCE_RADII).asin();
+        let fov_y_rad = 2.0 * ((1.0 + MARGIN) / CIRCLE.distance_radii).asin();
         Camera::new(eye, self.bounds.center.as_vec3(), Vec3::Y, Projection::Perspective { fov_y_rad }, size)
     }
 
     fn view(&self, azimuth_deg: f64) -> Viewpoint {
-        Viewpoint::Perspective { eye: self.eye(azimuth_deg) }
-    }
-
-    fn eye(&self, azimuth_deg: f64) -> Vec3 {
-        let (sin, cos) = azimuth_deg.to_radians().sin_cos();
-        let (up, level) = ELEVATION_DEG.to_radians().sin_cos();
-        let direction = DVec3::new(cos * level, up, sin * level);
-        (self.bounds.center + direction * (DISTANCE_RADII * self.bounds.radius)).as_vec3()
+        Viewpoint::Perspective { eye: CIRCLE.eye(self.bounds, azimuth_deg) }
     }
 }
 
@@ -122,7 +144,7 @@ mod tests {
         let views = path.lead_in().map(|view| (view, false));
         let all: Vec<_> = views.chain(frames.iter().map(|frame| (frame.view, frame.is_measured))).collect();
         assert_eq!(frames.iter().filter(|frame| frame.is_measured).count(), 60);
-        let level = ELEVATION_DEG.to_radians().cos();
+        let level = CIRCLE.elevation_deg.to_radians().cos();
         for pair in all.windows(2) {
             let [(before, _), (now, is_measured)] = [pair[0], pair[1]];
             assert!((eye(now).length() - 3.0).abs() < 1e-5);
@@ -132,6 +154,14 @@ mod tests {
         }
         let middle: DVec3 = frames.iter().filter(|frame| frame.is_measured).map(|frame| eye(frame.view)).sum();
         assert!(middle.with_y(0.0).length() < 1e-3, "arcs lie evenly around the mesh");
+    }
+
+    #[test]
+    fn a_flight_of_3600_frames_is_a_turn_and_begins_with_one_more() {
+        let views: Vec<_> = CIRCLE.flight(BOUNDS, 3600).map(eye).collect();
+        assert_eq!(views.len(), 3601);
+        assert!(views[0].distance(views[3600]) < 1e-5 && views[0].distance(views[1800]) > 4.0);
+        assert_eq!((circles().count(), circles().filter(|&circle| circle == CIRCLE).count()), (20, 1));
     }
 
     #[test]

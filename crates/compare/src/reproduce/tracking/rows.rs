@@ -58,7 +58,12 @@ fn of_variant(
     let printed = model.zip(result.variant.paper_column());
     let speed_up = printed.map(|(model, column)| model.speed_ups[column]);
     let fallbacks = result.counted.fallbacks;
-    let counted_note = if fallbacks > 0 { format!("; {fallbacks} frames by brute force") } else { String::new() };
+    let mut counted_note = if fallbacks > 0 { format!("; {fallbacks} frames by brute force") } else { String::new() };
+    if let Some([least, greatest]) = result.counted_range {
+        let range =
+            format!("; {least:.2} to {greatest:.2} over twenty circles, since the paper does not tell its path");
+        counted_note.push_str(&range);
+    }
     let percent = |metric: &str, percent: Option<f64>| Figure {
         ours: percent,
         note: if percent.is_none() { mesh.without_visible.clone().unwrap_or_default() } else { String::new() },

@@ -21,8 +21,8 @@ pub const COLUMNS: [Column; 8] = [
     Column {
         title: "counted",
         unit: "×",
-        meaning: "faces of the mesh over faces evaluated in a frame, the same on every machine; methods of today may count a \
-                  face twice",
+        meaning: "faces of the mesh over faces evaluated in a frame, the same on every machine, over one flight from a \
+                  frame found by brute force; methods of today may count a face twice",
     },
     Column { title: "wall", unit: "×", meaning: "Hall's brute force's time over this one's, in the same run" },
     Column { title: "time", unit: "µs", meaning: "median time of a frame" },
@@ -67,6 +67,17 @@ pub fn describe(mesh: &MeshResult) -> String {
     )
 }
 
+/// How counts depend on the path, in one sentence, where that was measured.
+pub fn counted_ranges(mesh: &MeshResult) -> Option<String> {
+    let range = |result: &VariantResult| {
+        let [least, greatest] = result.counted_range?;
+        Some(format!("{} {least:.2} to {greatest:.2}", result.variant.label()))
+    };
+    let ranges: Vec<String> = mesh.variants.iter().filter_map(range).collect();
+    let ranges = (!ranges.is_empty()).then(|| ranges.join("; "))?;
+    Some(format!("The paper does not tell its path; counted over twenty circles: {ranges}"))
+}
+
 /// Writes the table of every mesh.
 ///
 /// # Errors
@@ -85,6 +96,9 @@ pub fn write_table(reproduction: &Reproduction, mut out: impl Write) -> io::Resu
         write_line(&mut out, "", head(|column| column.unit))?;
         for result in &mesh.variants {
             write_line(&mut out, &result.variant.label(), cells(mesh, result).each_ref().map(String::as_str))?;
+        }
+        if let Some(ranges) = counted_ranges(mesh) {
+            writeln!(out, "{ranges}")?;
         }
     }
     Ok(())
@@ -116,6 +130,15 @@ mod tests {
         assert_eq!(cells[4..], ["0", "0", "0", "–"]);
         let length = |line: &str| line.chars().count();
         assert!(text.lines().filter(|line| line.contains("N = ")).all(|line| length(line) == length(row)), "{text}");
+    }
+
+    #[test]
+    fn ranges_are_told_where_they_were_measured() {
+        let mut mesh = reproduction().meshes[0].clone();
+        assert_eq!(counted_ranges(&mesh), None);
+        mesh.variants[2].counted_range = Some([1.0, 2.5]);
+        let told = counted_ranges(&mesh).unwrap();
+        assert!(told.ends_with(&format!("circles: {} 1.00 to 2.50", mesh.variants[2].variant.label())), "{told}");
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub enum Asked {
 pub enum Variant {
     /// The paper's baseline.
     BruteForce,
+    /// The same with as many faces at a time as tracking evaluates.
+    BruteForceInFours,
     /// Tracking at a level in radians; `None` searches no concave edge.
     Level(Option<f32>, TestedEdges),
     /// Tracking that misses nothing.
@@ -46,7 +48,7 @@ impl Variant {
         let today = ["brute-force-simd", "cluster-cones"];
         let today =
             today.into_iter().flat_map(|name| [Asked::Edges, Asked::Loops].map(|asked| Self::Today(name, asked)));
-        [Self::BruteForce]
+        [Self::BruteForce, Self::BruteForceInFours]
             .into_iter()
             .chain(levels)
             .chain([every_edge(None)])
@@ -60,6 +62,7 @@ impl Variant {
     pub fn label(self) -> String {
         match self {
             Self::BruteForce => "brute force (Hall)".to_owned(),
+            Self::BruteForceInFours => "brute force, in fours".to_owned(),
             Self::Level(Some(level_rad), TestedEdges::All) => format!("tracking, N = {level_rad}"),
             Self::Level(None, TestedEdges::All) => "tracking, no concave edges".to_owned(),
             Self::Level(Some(level_rad), TestedEdges::Single) => format!("single edges, N = {level_rad}"),
@@ -88,7 +91,7 @@ impl Variant {
     pub fn prepare(self, mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Flier, PrepareError> {
         let options = match self {
             Self::Today(name, asked) => return prepare_of_today(name, asked, mesh, progress),
-            Self::BruteForce => None,
+            Self::BruteForce | Self::BruteForceInFours => None,
             Self::Level(level, tested_edges) => {
                 let concavity = level.map_or(Concavity::Ignored, Concavity::Above);
                 Some(TrackingOptions { concavity, tested_edges, ..TrackingOptions::default() })
@@ -103,7 +106,9 @@ impl Variant {
         let edges = mesh.artefact::<TrackedEdges>("reproduce tracking", progress)?;
         let triangles = Arc::clone(mesh.mesh());
         let Some(options) = options else {
-            return Ok(Flier::BruteForce(Box::new(BruteForce::new(triangles, table, edges))));
+            let brute_force = BruteForce::new(triangles, table, edges);
+            let in_fours = self == Self::BruteForceInFours;
+            return Ok(Flier::BruteForce(Box::new(if in_fours { brute_force.in_fours() } else { brute_force })));
         };
         let tracker = Tracker::new(triangles, table, edges, options);
         Ok(Flier::Tracker(Box::new(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?)))
