@@ -3,7 +3,7 @@
 use crate::oracle;
 use crate::scenes::{all_lines, builtin, directions, framing, model};
 use silhouette_core::glam::DVec3;
-use silhouette_core::{Camera, Projection, Topology, TriangleMesh};
+use silhouette_core::{Camera, Projection, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::{LineOptions, Lines, SegmentSource};
 
 /// Share of the picture that a decision keeps from the nearest end of its piece.
