@@ -120,7 +120,7 @@ impl Root {
             .positions
             .iter()
             .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(min, max), &p| (min.min(p), max.max(p)));
-        let positions = geometry.positions.iter().flat_map(|point| point.to_array()).flat_map(f32::to_le_bytes);
+        let positions = geometry.positions.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes);
         let positions = self.push_view(positions, ARRAY_BUFFER);
         let indices =
             self.push_view(geometry.indices.iter().flat_map(|index| index.to_le_bytes()), ELEMENT_ARRAY_BUFFER);

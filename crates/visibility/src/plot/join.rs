@@ -61,7 +61,7 @@ pub fn join(paths: &Paths) -> Paths {
             joined.push(paths.get(path));
             continue;
         }
-        let (start, closed) = first_end(End { path, last: false }, &partner);
+        let (start, closed) = first_end(End { path, last: false }, partner);
         let run: Vec<End> =
             std::iter::successors(Some(start), |end| partner(end.other()).filter(|&next| next != start)).collect();
         run.iter().for_each(|end| done[end.path] = true);
