@@ -110,6 +110,11 @@ impl Sight<'_> {
     pub fn near_end(&self, stroke: &Stroke, end: usize, face: FaceId) -> Layers {
         let vertices = self.mesh.triangles()[face.index()];
         let corners = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
+        if let Some(slot) = vertices.iter().position(|&vertex| vertex == stroke.vertices[end])
+            && self.leaves_beside(stroke, end, [corners[(slot + 1) % 3], corners[(slot + 2) % 3]])
+        {
+            return Layers::default();
+        }
         let facing = sign(turn(&self.viewpoint, corners[0], corners[1], corners[2]));
         let covers = facing != 0
             && (0..3).all(|slot| {
@@ -119,6 +124,26 @@ impl Sight<'_> {
             });
         let counts = || self.depth == Depth::Any || self.height(stroke, corners).sign_near(end) == -facing;
         if covers && counts() { layer(facing) } else { Layers::default() }
+    }
+
+    /// Whether a stroke certainly leaves a corner of a face outside of the face's angle there, in the picture. `others` are
+    /// the face's other corners in order.
+    fn leaves_beside(&self, stroke: &Stroke, end: usize, others: [Vec3; 2]) -> bool {
+        let corner = stroke.ends[end].as_dvec3();
+        let toward_viewer = match self.viewpoint {
+            Viewpoint::Perspective { eye } => eye.as_dvec3() - corner,
+            Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
+        };
+        let along = stroke.ends[1 - end].as_dvec3() - corner;
+        let [next, last] = others.map(|other| other.as_dvec3() - corner);
+        // Differences and products round alike wherever the mesh lies: within `9u` of six products each.
+        let size = |v: DVec3| v.abs().max_element();
+        let error = 64.0 * f64::EPSILON * size(along).max(size(next)).max(size(last)).powi(2) * size(toward_viewer);
+        let sides = [next.cross(along), along.cross(last), next.cross(last)].map(|normal| {
+            let value = normal.dot(toward_viewer);
+            i32::from(value > error) - i32::from(value < -error)
+        });
+        sides.contains(&1) && sides.contains(&-1)
     }
 
     /// What a face adds in front of the target, and whether that is certain; `None` for certainly nothing.
