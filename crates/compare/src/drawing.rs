@@ -5,7 +5,7 @@ use crate::registry::{EdgeMethod, Entry, LineMethod, Prepared};
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::view::Camera;
 use silhouette_core::{NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh, VertexId};
-use silhouette_gpu::{LineRenderer, MeshBuffers, MeshTooLarge, Pen, PenPlacement, TargetFormats};
+use silhouette_gpu::{LineRenderer, MeshBuffers, MeshTooLarge, Pen, PenPlacement, RendererError, TargetFormats};
 use silhouette_render::{
     DEFAULT_FORMATS, FillPass, FillStyle, Gpu, GpuError, Image, LinePass, LineStyle, Load, PassTime, PassView,
     Polylines, Target,
@@ -26,6 +26,9 @@ pub enum DrawError {
     /// The device's buffers cannot hold the mesh.
     #[error(transparent)]
     MeshTooLarge(#[from] MeshTooLarge),
+    /// The method's renderer cannot be made on this device.
+    #[error(transparent)]
+    Renderer(#[from] RendererError),
     /// The device failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -104,7 +107,12 @@ impl Drawing {
             Source::Edges(source) => source.draw(gpu, camera, &self.target, self.style.pen_width_px)?,
             Source::Lines { renderer, .. } => {
                 renderer.prepare(gpu.device(), gpu.queue(), camera);
-                let pass = gpu.draw(&self.target, Load::Clear(PAPER), |pass| renderer.draw(pass))?;
+                let pass = gpu.draw_after(
+                    &self.target,
+                    Load::Clear(PAPER),
+                    |encoder| renderer.encode(encoder),
+                    |pass| renderer.draw(pass),
+                )?;
                 (vec![pass], None)
             }
         };
@@ -119,6 +127,14 @@ impl Drawing {
     /// [`DrawError::Gpu`].
     pub fn picture(&self, gpu: &Gpu) -> Result<Image, DrawError> {
         Ok(self.target.read_color(gpu)?)
+    }
+
+    /// What the user should know of the frame drawn last; see [`LineRenderer::warning`].
+    pub fn warning(&self) -> Option<String> {
+        match &self.source {
+            Source::Edges(_) => None,
+            Source::Lines { renderer, .. } => renderer.warning(),
+        }
     }
 
     /// The edges of the frame drawn last, for a method that extracts edges.

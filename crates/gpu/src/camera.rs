@@ -29,7 +29,7 @@ pub struct CameraBinding {
 }
 
 impl CameraBinding {
-    /// The layout: binding 0 for vertex stages, binding 1 for both stages.
+    /// The layout: both bindings for vertex and compute stages, binding 1 for fragment stages too.
     pub fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         let entry = |binding, visibility| wgpu::BindGroupLayoutEntry {
             binding,
@@ -43,7 +43,10 @@ impl CameraBinding {
         };
         device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("camera and own uniform"),
-            entries: &[entry(0, wgpu::ShaderStages::VERTEX), entry(1, wgpu::ShaderStages::VERTEX_FRAGMENT)],
+            entries: &[
+                entry(0, wgpu::ShaderStages::VERTEX | wgpu::ShaderStages::COMPUTE),
+                entry(1, wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE),
+            ],
         })
     }
 

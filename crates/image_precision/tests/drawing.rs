@@ -9,21 +9,27 @@ use silhouette_core::progress::NoProgress;
 use silhouette_core::shapes::{Cuboid, Sphere, Torus};
 use silhouette_core::view::{Camera, DepthDirection, Framing, Projection};
 use silhouette_gpu::{DrawsLines, LineRenderer, TargetFormats};
-use silhouette_image_precision::{ImagePrecision, back_faces};
+use silhouette_image_precision::{ImagePrecision, scale};
 use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target, testing::gpu_or_skip};
 use std::sync::Arc;
 
 /// Grey paper, so that white front faces, black back faces and nothing at all can be told apart.
 const PAPER: [f64; 4] = [0.5, 0.5, 0.5, 1.0];
 
+/// The paper's z-scaled variant with these options.
 fn draw(gpu: &Gpu, mesh: &TriangleMesh, camera: &Camera, words: &[&str], formats: TargetFormats) -> Image {
+    draw_variant(gpu, mesh, camera, &[&["variant=scale"], words].concat(), formats)
+}
+
+fn draw_variant(gpu: &Gpu, mesh: &TriangleMesh, camera: &Camera, words: &[&str], formats: TargetFormats) -> Image {
     let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
     let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
     let method = ImagePrecision::prepare(&prepared, &options, &NoProgress).unwrap();
     let mut renderer = gpu.scoped(|| method.renderer(gpu.device(), gpu.queue(), formats)).unwrap().unwrap();
     let target = Target::new(gpu, camera.size(), formats).unwrap();
     renderer.prepare(gpu.device(), gpu.queue(), camera);
-    gpu.draw(&target, Load::Clear(PAPER), |pass| renderer.draw(pass)).unwrap();
+    let encode = |encoder: &mut _| renderer.encode(encoder);
+    gpu.draw_after(&target, Load::Clear(PAPER), encode, |pass| renderer.draw(pass)).unwrap();
     target.read_color(gpu).unwrap()
 }
 
@@ -76,7 +82,7 @@ fn the_rim_of_a_sphere_is_as_wide_as_the_law_says() {
     for scale in [0.95_f64, 0.9, 0.85] {
         let pull = (1.0 - scale) * 4.0;
         // The strip's area in an image: its width times its middle's length.
-        let width = back_faces::rim_width(pull, 1.0);
+        let width = scale::rim_width(pull, 1.0);
         let expected = std::f64::consts::TAU * (1.0 - 0.5 * width) * width * px * px;
         let drawn = ink(&draw(gpu, &mesh, &camera, &[&format!("scale={scale}")], DEFAULT_FORMATS)) as f64;
         assert!((drawn / expected - 1.0).abs() < 0.05, "{scale}: {drawn} px of ink, expected {expected:.0}");

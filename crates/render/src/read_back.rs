@@ -48,7 +48,7 @@ impl Target {
             resolve_target: None,
             ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
         };
-        gpu.submit_pass(&[Some(attachment)], None, |pass| {
+        gpu.submit_pass(&[Some(attachment)], None, |_| {}, |pass| {
             pass.set_pipeline(&reader.pipeline);
             pass.set_bind_group(0, &bind_group, &[]);
             pass.draw(0..3, 0..1);

@@ -1,0 +1,26 @@
+// Lists the corners of polygons that are fattened: back faces, and front faces nearly edge-on where a band is asked for.
+// Twin: crates/image_precision/src/fatten.rs
+
+@group(2) @binding(0) var<storage, read_write> listed: array<vec2<u32>>;
+@group(2) @binding(1) var<storage, read_write> arguments: array<atomic<u32>>;
+@group(2) @binding(2) var<storage, read> starts: array<u32>;
+
+const VERTICES_PER_CORNER: u32 = 6u;
+
+@compute @workgroup_size(64)
+fn list_polygons(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.x + id.y * groups.x * 64u;
+    if index >= style.faces {
+        return;
+    }
+    let p = polygon(corner_range(index));
+    let view = towards_viewer(p.middle);
+    let facing = dot(p.normal, view);
+    let is_banded = facing > 0.0 && facing < style.band * length(p.normal) * length(view);
+    if facing < 0.0 || is_banded {
+        let first = atomicAdd(&arguments[0], VERTICES_PER_CORNER * p.size) / VERTICES_PER_CORNER;
+        for (var corner = 0u; corner < p.size; corner++) {
+            listed[first + corner] = vec2<u32>(p.first + corner, index);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+// Lines as wide as asked for, expanded in the image plane. Twin: crates/image_precision/src/screen.rs
+//
+// A listed edge is a quad beside the projected edge and a fan around either end. All of it has the depth of the edge.
+
+@group(2) @binding(0) var<storage, read> listed: array<u32>;
+
+struct LineVertex {
+    @builtin(position) position: vec4<f32>,
+    @location(0) along_px: f32,
+}
+
+const FAN: f32 = 3.0;
+const NOTHING: LineVertex = LineVertex(vec4<f32>(2.0, 2.0, 0.0, 1.0), 0.0);
+
+// Corners of the two triangles of a quad: x 0 at a, 1 at b; y 0 lowest, 1 highest.
+const QUAD: array<vec2<f32>, 6> = array<vec2<f32>, 6>(
+    vec2<f32>(0.0, 0.0), vec2<f32>(1.0, 0.0), vec2<f32>(0.0, 1.0),
+    vec2<f32>(0.0, 1.0), vec2<f32>(1.0, 0.0), vec2<f32>(1.0, 1.0),
+);
+
+fn pixel_of(clip: vec4<f32>) -> vec2<f32> {
+    return clip.xy / clip.w * 0.5 * style.viewport_px;
+}
+
+// The begin of a line moved onto the near plane, where it is before it.
+fn clipped(begin: vec4<f32>, end: vec4<f32>) -> vec4<f32> {
+    if begin.w >= style.near_w {
+        return begin;
+    }
+    return mix(begin, end, (style.near_w - begin.w) / (end.w - begin.w));
+}
+
+fn span_px(w: f32, outward: vec2<f32>) -> vec2<f32> {
+    return (style.span.xy + style.span.zw / w) * (1.0 - max(dot(outward, style.light), 0.0));
+}
+
+// A vertex of the line from a to b, whose ink lies to the left of that way where the span is positive.
+fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVertex {
+    if max(from_clip.w, to_clip.w) <= style.near_w {
+        return NOTHING;
+    }
+    let a = clipped(from_clip, to_clip);
+    let b = clipped(to_clip, from_clip);
+    let way = pixel_of(b) - pixel_of(a);
+    let length_px = length(way);
+    // Ends at one point, or values beyond 32 bits, are no line; the comparison also refuses what is no number.
+    if !(length_px > 1e-5 && length_px < 1e30) {
+        return NOTHING;
+    }
+    let direction = way / length_px;
+    let left = vec2<f32>(-direction.y, direction.x);
+    var anchor = a;
+    var along = 0.0;
+    var offset = vec2<f32>(0.0);
+    if vertex < 6u {
+        let corner = QUAD[vertex];
+        anchor = select(a, b, corner.x > 0.5);
+        let span = span_px(anchor.w, left);
+        along = corner.x * length_px;
+        offset = left * mix(span.x, span.y, corner.y);
+    } else {
+        let of_b = vertex >= 15u;
+        let fan = (vertex - 6u) % 9u;
+        anchor = select(a, b, of_b);
+        along = select(0.0, length_px, of_b);
+        let span = span_px(anchor.w, left);
+        // One-sided ink is rounded by a quarter of a turn, ink on both sides by half a turn.
+        let sweep = select(1.5707964, 3.1415927, span.x < 0.0);
+        let turn = sweep * f32(fan / 3u + fan % 3u - 1u) / FAN;
+        let outward = cos(turn) * left + sin(turn) * select(-direction, direction, of_b);
+        offset = select(outward * span.y, vec2<f32>(0.0), fan % 3u == 0u);
+    }
+    let ndc = anchor.xy / anchor.w + 2.0 * offset / style.viewport_px;
+    return LineVertex(vec4<f32>(ndc * anchor.w, anchor.z + style.lift * anchor.w, anchor.w), along);
+}
+
+@vertex
+fn line_of_edge(@builtin(vertex_index) index: u32) -> LineVertex {
+    let corner = listed[index / 24u];
+    let a = corner_position(corner);
+    let b = corner_position(next_corner(corner));
+    // A back face lies to the right of its edges in the image, so that left is outwards.
+    let is_back = front_volume(corner / 3u) <= 0.0;
+    return line_vertex(index % 24u, clip_position(select(b, a, is_back)), clip_position(select(a, b, is_back)));
+}
+
+// Lines given by pairs of vertices, one after another.
+@vertex
+fn line_of_pair(@builtin(vertex_index) index: u32) -> LineVertex {
+    let pair = 2u * (index / 24u);
+    let a = clip_position(vertex_position(listed[pair]));
+    return line_vertex(index % 24u, a, clip_position(vertex_position(listed[pair + 1u])));
+}
+
+@fragment
+fn line_fragment(in: LineVertex) -> @location(0) vec4<f32> {
+    if is_blank(in.along_px, in.position.xy) {
+        discard;
+    }
+    return faded_ink(1.0 / in.position.w);
+}
