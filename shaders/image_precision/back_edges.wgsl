@@ -12,14 +12,14 @@
 // In a slot: counted more than once.
 const SHARED: u32 = 0x80000000u;
 const LONGEST_PROBE: u32 = 64u;
-const VERTICES_PER_EDGE: u32 = 24u;
 
 fn element(id: vec3<u32>, groups: vec3<u32>) -> u32 {
     return id.x + id.y * groups.x * 64u;
 }
 
 fn list(corner: u32) {
-    listed[atomicAdd(&arguments[0], VERTICES_PER_EDGE) / VERTICES_PER_EDGE] = corner;
+    let vertices = vertices_per_edge();
+    listed[atomicAdd(&arguments[0], vertices) / vertices] = corner;
 }
 
 fn bits(p: vec3<f32>) -> vec3<u32> {

@@ -1,8 +1,7 @@
-// Section 3.3 of Raskar and Cohen 1999: polygons fattened in their plane, drawn as a fan of 2 n triangles about their
-// middle. Twin: crates/image_precision/src/fatten.rs
+// Section 3.3 of Raskar and Cohen 1999: fattened polygons as fans of 2 n triangles about their middle.
+// Twin: crates/image_precision/src/fatten_list.rs
 
-@group(2) @binding(0) var<storage, read> listed: array<vec2<u32>>;
-@group(2) @binding(1) var<storage, read> starts: array<u32>;
+@group(1) @binding(0) var<storage, read> listed: array<FatCorner>;
 
 struct FatVertex {
     @builtin(position) position: vec4<f32>,
@@ -10,79 +9,21 @@ struct FatVertex {
     @location(1) @interpolate(flat) facing: f32,
 }
 
-// Never move an edge by more than this many times its depth: nearly edge-on polygons would have it without bound.
-const FARTHEST: f32 = 4.0;
-
-// By how much the edge from a to b of a polygon is pushed outwards, as a vector in its plane.
-fn push(a: vec3<f32>, b: vec3<f32>, p: Polygon) -> vec3<f32> {
-    let edge = b - a;
-    let length_edge = length(edge);
-    let length_normal = length(p.normal);
-    if length_edge == 0.0 || length_normal == 0.0 {
-        return vec3<f32>(0.0);
-    }
-    let e = edge / length_edge;
-    let n = p.normal / length_normal;
-    let outward = cross(e, n);
-    let middle = 0.5 * (a + b);
-    let ray = -towards_viewer(middle);
-    let v = normalize(ray);
-    let is_perspective = style.eye.w != 0.0;
-    let depth = select(1.0, dot(ray, style.axis.xyz), is_perspective);
-    let width = max(style.span.y + style.span.w / depth, 0.0);
-    let v_n = abs(dot(v, n));
-    let sine = length(cross(v, e));
-    var delta = 0.0;
-    if style.law == 0u {
-        // The exact law: m leans towards the axis as the edge is seen aslant of the image plane.
-        let m = dot(normalize(cross(v, e)), style.axis.xyz);
-        let s = sine * sqrt(max(1.0 - m * m, 0.0));
-        let recedes = select(0.0, dot(outward, style.axis.xyz), is_perspective);
-        let room = style.axis.w * v_n - width * recedes * s;
-        delta = select(FARTHEST * depth, width * depth * s / room, room > 0.0);
-    } else {
-        // As printed: z is the distance from the camera.
-        let z = select(1.0, length(ray), is_perspective);
-        delta = width / style.axis.w * z * select(1.0, sine, style.law == 1u) / max(v_n, 1e-12);
-    }
-    delta = min(delta, FARTHEST * depth);
-    if style.clamp_edges > 0.0 {
-        delta = min(delta, style.clamp_edges * length_edge);
-    }
-    return outward * delta;
-}
-
+// Two triangles a corner: about the middle over its edge, and over the gap between its edge and the next.
 @vertex
 fn fat_vertex(@builtin(vertex_index) index: u32) -> FatVertex {
-    let record = listed[index / 6u];
-    let p = polygon(corner_range(record.y));
-    let at = record.x - p.first;
-    let a = corner_position(record.x);
-    let b = corner_position(p.first + (at + 1u) % p.size);
-    let c = corner_position(p.first + (at + 2u) % p.size);
-    // Two triangles: about the middle over this edge, and over the gap between this edge and the next.
-    var position = p.middle;
-    var along = 0.0;
-    switch index % 6u {
-        case 1u: {
-            position = a + push(a, b, p);
-        }
-        case 2u, 4u: {
-            position = b + push(a, b, p);
-            along = 1.0;
-        }
-        case 5u: {
-            position = b + push(b, c, p);
-            along = 1.0;
-        }
-        default: {}
+    let record = index / 6u;
+    let corner = index % 6u;
+    var position = listed[record].middle;
+    if corner == 1u {
+        position = listed[record].begin;
+    } else if corner == 2u || corner == 4u {
+        position = listed[record].end;
+    } else if corner == 5u {
+        position = listed[listed[record].next].begin;
     }
-    let clip_a = clip_position(a);
-    let clip_b = clip_position(b);
-    let way = 0.5 * style.viewport_px * (clip_b.xy / clip_b.w - clip_a.xy / clip_a.w);
-    let view = towards_viewer(p.middle);
-    let facing = dot(p.normal, view) / max(length(p.normal) * length(view), 1e-30);
-    return FatVertex(clip_position(position), along * length(way), facing);
+    let along = select(0.0, listed[record].length_px, corner == 2u || corner == 4u);
+    return FatVertex(clip_position(position), along, listed[record].facing);
 }
 
 @fragment

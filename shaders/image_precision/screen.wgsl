@@ -76,12 +76,13 @@ fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVer
 
 @vertex
 fn line_of_edge(@builtin(vertex_index) index: u32) -> LineVertex {
-    let corner = listed[index / 24u];
+    let vertices = vertices_per_edge();
+    let corner = listed[index / vertices];
     let a = corner_position(corner);
     let b = corner_position(next_corner(corner));
     // A back face lies to the right of its edges in the image, so that left is outwards.
     let is_back = front_volume(corner / 3u) <= 0.0;
-    return line_vertex(index % 24u, clip_position(select(b, a, is_back)), clip_position(select(a, b, is_back)));
+    return line_vertex(index % vertices, clip_position(select(b, a, is_back)), clip_position(select(a, b, is_back)));
 }
 
 // Lines given by pairs of vertices, one after another.

@@ -50,11 +50,15 @@ pub mod image_precision {
     pub const SCREEN: &str =
         stage!("../shared/mesh.wgsl", "../shared/image_precision/facing.wgsl", "../image_precision/screen.wgsl");
     /// Lists polygons to be fattened.
-    pub const POLYGONS: &str =
-        stage!("../shared/mesh.wgsl", "../shared/image_precision/polygon.wgsl", "../image_precision/polygons.wgsl");
+    pub const POLYGONS: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/polygon.wgsl",
+        "../shared/image_precision/push.wgsl",
+        "../shared/image_precision/fat_corner.wgsl",
+        "../image_precision/polygons.wgsl"
+    );
     /// Fattened polygons.
-    pub const FATTEN: &str =
-        stage!("../shared/mesh.wgsl", "../shared/image_precision/polygon.wgsl", "../image_precision/fatten.wgsl");
+    pub const FATTEN: &str = stage!("../shared/image_precision/fat_corner.wgsl", "../image_precision/fatten.wgsl");
     /// Every face as its number.
     pub const FIRST_LAYER: &str = stage!("../shared/mesh.wgsl", "../image_precision/first_layer.wgsl");
     /// Marks the faces that are seen and lists the others.

@@ -1,7 +1,6 @@
 //! Lists the edges of back faces on the adapter, those between two back faces left out. Stage:
 //! `shaders/image_precision/back_edges.wgsl`.
 
-use crate::screen::VERTICES_PER_EDGE;
 use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
 use silhouette_shaders::image_precision::BACK_EDGES;
@@ -118,7 +117,6 @@ impl BackEdges {
         pass.set_bind_group(2, &self.drawing, &[]);
         pass.draw_indirect(&self.arguments, 0);
     }
-
 }
 
 /// Slots of the table: a power of two, at least four thirds of the half-edges that there can be.
@@ -126,8 +124,6 @@ fn slots(faces: u32) -> u32 {
     let half_edges = faces.saturating_mul(3);
     (half_edges / 3 * 4).clamp(2, 1 << 31).next_power_of_two()
 }
-
-const _: () = assert!(VERTICES_PER_EDGE == 24, "the list's arguments count 24 vertices an edge in WGSL");
 
 #[cfg(test)]
 mod tests {

@@ -40,13 +40,7 @@ impl DepthBits {
 }
 
 /// What one step of a depth buffer is worth at a depth, in world units.
-pub fn depth_step(
-    camera: &Camera,
-    range: ClipRange,
-    direction: DepthDirection,
-    bits: DepthBits,
-    depth: f64,
-) -> f64 {
+pub fn depth_step(camera: &Camera, range: ClipRange, direction: DepthDirection, bits: DepthBits, depth: f64) -> f64 {
     let clip = camera.clip_matrix(range, direction);
     let value = clip.project_point3(silhouette_core::glam::DVec3::Z * -depth).z.clamp(0.0, 1.0);
     let step = bits.step_at(value);

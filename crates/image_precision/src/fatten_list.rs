@@ -6,6 +6,9 @@ use crate::stage::{Stage, buffers_group, compute, groups, storage_buffer, storag
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge, TargetFormats};
 use silhouette_shaders::image_precision::{FATTEN, POLYGONS};
 
+/// Bytes of a corner of a listed polygon. Twin of `FatCorner` in `fatten.wgsl`.
+const CORNER_BYTES: u64 = 48;
+
 /// Fattened polygons, listed anew for each view.
 #[derive(Debug)]
 pub(crate) struct FatPolygons {
@@ -38,14 +41,15 @@ impl FatPolygons {
         let starts = upload("starts of polygons", polygons.map_or(&[0], |polygons| &polygons.starts))?;
         let count = polygons.map_or(faces, |polygons| polygons.count() as u32);
         let corner_count = polygons.map_or(3 * u64::from(faces), |polygons| polygons.corners.len() as u64);
-        let listed = storage_buffer(device, "polygons to fatten", 8 * corner_count, wgpu::BufferUsages::empty())?;
+        let bytes = CORNER_BYTES * corner_count.max(1);
+        let listed = storage_buffer(device, "fattened polygons", bytes, wgpu::BufferUsages::empty())?;
         let arguments = draw_arguments(device, queue)?;
 
         let layout = |entries: &[_]| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("polygons"), entries })
         };
         let filling = layout(&[storage_entry(0, false), storage_entry(1, false), storage_entry(2, true)]);
-        let drawing = layout(&[storage_entry(0, true), storage_entry(1, true)]);
+        let drawing = layout(&[storage_entry(0, true)]);
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
         let fat = Stage {
             label: "image precision: fattened polygons",
@@ -61,9 +65,9 @@ impl FatPolygons {
             count,
             corners,
             filling: buffers_group(device, "polygons", &filling, &[&listed, &arguments, &starts]),
-            drawing: buffers_group(device, "polygons", &drawing, &[&listed, &starts]),
+            drawing: buffers_group(device, "polygons", &drawing, &[&listed]),
             list: compute(device, POLYGONS, "list_polygons", &[Some(&camera), Some(&mesh), Some(&filling)]),
-            fat: fat.build(device, &[Some(&camera), Some(&mesh), Some(&drawing)], formats.color, formats.samples),
+            fat: fat.build(device, &[Some(&camera), Some(&drawing)], formats.color, formats.samples),
             arguments,
         })
     }
@@ -98,7 +102,7 @@ impl FatPolygons {
     /// Draws the list.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_pipeline(&self.fat);
-        pass.set_bind_group(2, &self.drawing, &[]);
+        pass.set_bind_group(1, &self.drawing, &[]);
         pass.draw_indirect(&self.arguments, 0);
     }
 }

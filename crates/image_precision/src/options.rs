@@ -76,8 +76,12 @@ pub(crate) const OFFSET_SLOPE: OptionSpec = number(
     [0.0, 64.0, 2.0],
     "Polygon offset towards the viewer in depth slopes: the width on face-on silhouettes in pixels, half on smooth rims",
 );
-pub(crate) const OFFSET_CONSTANT: OptionSpec =
-    number("offset-constant", "depth steps", [0.0, 1e6, 1.0], "Polygon offset towards the viewer in depth-buffer steps");
+pub(crate) const OFFSET_CONSTANT: OptionSpec = number(
+    "offset-constant",
+    "depth steps",
+    [0.0, 1e6, 1.0],
+    "Polygon offset towards the viewer in depth-buffer steps",
+);
 pub(crate) const OFFSET_CLAMP: OptionSpec = number(
     "offset-clamp",
     "",

@@ -55,15 +55,13 @@ impl Polygons {
 
 /// Whether `triangle` is the next of the fan that makes `polygon`, and the whole stays flat and convex.
 fn extends(mesh: &TriangleMesh, polygon: &[u32], triangle: [u32; 3]) -> bool {
-    let &[first, second, .., before_last, last] = polygon else {
-        return false;
-    };
+    let (&[first, second, third, ..], &[.., before_last, last]) = (polygon, polygon) else { return false };
     if triangle[0] != first || triangle[1] != last || polygon.contains(&triangle[2]) {
         return false;
     }
     let at = |vertex: u32| mesh.positions()[vertex as usize].as_dvec3();
     let turn = |a: u32, b: u32, c: u32| (at(b) - at(a)).cross(at(c) - at(b));
-    let Some(normal) = turn(first, second, polygon[2]).try_normalize() else { return false };
+    let Some(normal) = turn(first, second, third).try_normalize() else { return false };
     let is_convex = |cross: DVec3| cross.dot(normal) >= 0.0;
     let is_flat = turn(first, last, triangle[2]).try_normalize().is_some_and(|n| n.angle_between(normal) < PLANE_RAD);
     is_flat

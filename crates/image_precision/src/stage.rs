@@ -91,11 +91,8 @@ pub(crate) fn compute(
 
 /// A binding of storage: read-only for vertex stages and compute stages, or read and write for compute stages.
 pub(crate) fn storage_entry(binding: u32, read_only: bool) -> wgpu::BindGroupLayoutEntry {
-    let visibility = if read_only {
-        wgpu::ShaderStages::VERTEX | wgpu::ShaderStages::COMPUTE
-    } else {
-        wgpu::ShaderStages::COMPUTE
-    };
+    let visibility =
+        if read_only { wgpu::ShaderStages::VERTEX | wgpu::ShaderStages::COMPUTE } else { wgpu::ShaderStages::COMPUTE };
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility,

@@ -65,13 +65,7 @@ impl Pulled {
         Self::within(variant, camera, bounds, range, direction)
     }
 
-    fn within(
-        variant: Variant,
-        camera: &Camera,
-        bounds: &Bounds,
-        range: ClipRange,
-        direction: DepthDirection,
-    ) -> Self {
+    fn within(variant: Variant, camera: &Camera, bounds: &Bounds, range: ClipRange, direction: DepthDirection) -> Self {
         let view_to_clip = match variant {
             Variant::FixedPull { radii } => fixed_pull::clip(camera, range, direction, radii * bounds.radius),
             Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => scale::clip(camera, range, direction, k),
@@ -91,7 +85,13 @@ pub(crate) fn span(variant: Variant) -> [f64; 2] {
 }
 
 /// Fills in what a view decides; counts of the mesh and of tables are the caller's.
-pub(crate) fn of_view(settings: &Settings, camera: &Camera, bounds: &Bounds, frame: &LocalFrame, pulled: &Pulled) -> StyleUniform {
+pub(crate) fn of_view(
+    settings: &Settings,
+    camera: &Camera,
+    bounds: &Bounds,
+    frame: &LocalFrame,
+    pulled: &Pulled,
+) -> StyleUniform {
     let unit = frame.clip_unit(camera);
     let axis = (camera.target().as_dvec3() - camera.eye().as_dvec3()).normalize();
     let (eye, px_per_unit) = match camera.projection() {
@@ -154,8 +154,23 @@ mod tests {
             ($($name:ident),*) => { [$((stringify!($name), offset_of!(StyleUniform, $name))),*] };
         }
         let members = members!(
-            back_to_clip, eye, axis, ink, span, viewport_px, light, fade, near_w, clamp_edges, band, law, texture, faces,
-            slot_mask, polygon_corners, lift
+            back_to_clip,
+            eye,
+            axis,
+            ink,
+            span,
+            viewport_px,
+            light,
+            fade,
+            near_w,
+            clamp_edges,
+            band,
+            law,
+            texture,
+            faces,
+            slot_mask,
+            polygon_corners,
+            lift
         );
         let stage = silhouette_shaders::image_precision::SCREEN;
         let size = size_of::<StyleUniform>();

@@ -37,6 +37,11 @@ struct StyleUniform {
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;
 
+// Vertices of a listed edge: a quad where every edge is drawn, and otherwise a fan around either end too.
+fn vertices_per_edge() -> u32 {
+    return select(24u, 6u, style.slot_mask == 0u);
+}
+
 // From a point towards the viewer; not normalised.
 fn towards_viewer(p: vec3<f32>) -> vec3<f32> {
     return style.eye.xyz - p * style.eye.w;

@@ -36,7 +36,7 @@ impl Default for MachineRoom {
 const RACKS: u32 = 6;
 const PIPES_PER_RACK: u32 = 8;
 /// Faces along a pipe.
-const ALONG: u32 = 57;
+const ALONG: u32 = 46;
 const PIPE_RADIUS: f64 = 0.028;
 /// Half of a pipe's length, and height of the lowest rack.
 const HALF_LENGTH: f64 = 0.95;

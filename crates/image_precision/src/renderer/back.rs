@@ -95,12 +95,7 @@ impl Back {
         }
     }
 
-    pub fn encode(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        camera: &CameraBinding,
-        mesh: &MeshBinding,
-    ) {
+    pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
         match self {
             Self::Faces(_) => {}
             Self::Edges { list, .. } => list.encode(encoder, camera, mesh),
@@ -131,8 +126,7 @@ impl Back {
 
 /// Back faces themselves.
 fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, variant: Variant) -> wgpu::RenderPipeline {
-    let compare =
-        if variant == Variant::Equal { wgpu::CompareFunction::Equal } else { formats.nearer_or_equal() };
+    let compare = if variant == Variant::Equal { wgpu::CompareFunction::Equal } else { formats.nearer_or_equal() };
     let mut depth = formats.depth_state(compare);
     if let Variant::Offset { slope, constant, clamp } = variant {
         depth.bias = offset::bias(formats, slope, constant, clamp);

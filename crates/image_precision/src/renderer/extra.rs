@@ -64,8 +64,7 @@ impl ExtraLines {
         let toward = width_px / camera.pixels_per_unit(depth);
         let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
         let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
-        let style =
-            StyleUniform { span: [-half, half, -half_falling, half_falling], lift: lift as f32, ..*style };
+        let style = StyleUniform { span: [-half, half, -half_falling, half_falling], lift: lift as f32, ..*style };
         self.binding.write(queue, camera_uniform, &style);
     }
 
