@@ -203,6 +203,15 @@ impl EdgeSource {
     }
 }
 
+/// A picture, with what its user should know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendered {
+    /// The picture.
+    pub image: Image,
+    /// Why its lines may be wrong, and what to choose instead; see [`LineRenderer::warning`].
+    pub warning: Option<String>,
+}
+
 /// Draws one view by one method: what a user who only wants the picture needs.
 ///
 /// # Errors
@@ -215,11 +224,11 @@ pub fn render_method(
     camera: &Camera,
     style: FrameStyle,
     progress: &dyn Progress,
-) -> Result<Image, DrawError> {
+) -> Result<Rendered, DrawError> {
     let prepared = entry.prepare(mesh, options, progress)?;
     let mut drawing = Drawing::new(gpu, mesh, prepared, style)?;
     drawing.draw(gpu, camera)?;
-    drawing.picture(gpu)
+    Ok(Rendered { image: drawing.picture(gpu)?, warning: drawing.warning() })
 }
 
 #[cfg(test)]
@@ -243,7 +252,7 @@ mod tests {
             let options = OptionValues::defaults(entry.info.options);
             let [sharp, smooth] = [1, 4].map(|samples| {
                 let style = FrameStyle { size: camera.size(), pen_width_px: 2.0, samples };
-                render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap()
+                render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image
             });
             let name = entry.info.name;
             let is_grey = |image: &Image| image.rgba.chunks(4).any(|pixel| !matches!(pixel[0], 0 | 255));

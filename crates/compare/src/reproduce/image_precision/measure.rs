@@ -220,9 +220,59 @@ fn turned_soup(mesh: &TriangleMesh) -> TriangleMesh {
 impl ReproduceError {
     /// Whether the mesh is at fault, not the run.
     pub fn is_of_input(&self) -> bool {
-        matches!(
-            self,
-            Self::EmptyMesh { .. } | Self::Draw { source: DrawError::Prepare(PrepareError::Mesh(_)), .. }
-        )
+        matches!(self, Self::EmptyMesh { .. } | Self::Draw { source: DrawError::Prepare(PrepareError::Mesh(_)), .. })
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use silhouette_core::NoProgress;
+    use silhouette_core::shapes::by_name;
+    use silhouette_render::testing::gpu_or_skip;
+    use std::sync::OnceLock;
+
+    /// A small reproduction, measured once for all tests; `None` where there is no adapter.
+    pub fn reproduction() -> Option<&'static Reproduction> {
+        static MEASURED: OnceLock<Option<Reproduction>> = OnceLock::new();
+        let measured = MEASURED.get_or_init(|| {
+            let gpu = gpu_or_skip("image_precision::reproduction")?;
+            let mesh = Arc::new(PreparedMesh::new(by_name("blob:5672").unwrap()));
+            let meshes = [NamedMesh { name: "builtin:blob:5672".to_owned(), mesh }];
+            Some(run(Profile::Quick, &meshes, gpu, &NoProgress).unwrap())
+        });
+        measured.as_ref()
+    }
+
+    fn of<'a>(mesh: &'a MeshResult, label: &str) -> &'a Score {
+        &mesh.variants.iter().find(|result| result.variant.label == label).unwrap().score
+    }
+
+    #[test]
+    fn variants_draw_what_the_geometry_and_earlier_experiments_predict() {
+        let Some(reproduction) = reproduction() else { return };
+        let spheres = reproduction.meshes.iter().filter_map(|mesh| Some((mesh.sphere_level?, mesh)));
+        for (level, mesh) in spheres {
+            let screen = of(mesh, "screen");
+            assert!((1.95..2.1).contains(&screen.metrics.width_mean_px), "{level}: {screen:?}");
+            assert!(screen.metrics.missed_1px + screen.stray + screen.metrics.gaps_per_1000px < 1e-12, "{screen:?}");
+            for nothing in ["equal", "far plane closer"] {
+                assert!(of(mesh, nothing).metrics.missed_1px > 0.999, "{nothing}");
+            }
+            let fat = of(mesh, "fatten, no clamp");
+            let (_, mean, farthest) = predicted::FATTENED.into_iter().find(|row| row.0 == level).unwrap();
+            assert!(fat.ink_over_length_px > 0.5 * mean && fat.farthest_px > 0.3 * farthest, "{level}: {fat:?}");
+        }
+        let finest = reproduction.meshes.iter().find(|mesh| mesh.sphere_level == Some(5)).unwrap();
+        let scaled = of(finest, "scale 0.95").ink_over_length_px;
+        assert!((scaled / predicted::scaled_width_px(0.95) - 1.0).abs() < 0.15, "{scaled}");
+    }
+
+    #[test]
+    fn a_soup_of_turned_triangles_is_still_drawn() {
+        let Some(reproduction) = reproduction() else { return };
+        let mesh = &reproduction.meshes[0];
+        let (soup, scaled) = (mesh.shuffled.score, of(mesh, "scale 0.99"));
+        assert!((soup.ink_over_length_px / scaled.ink_over_length_px - 1.0).abs() < 0.3, "{soup:?} {scaled:?}");
     }
 }

@@ -48,7 +48,9 @@ fn printed(row: &PaperRow, reproduction: &Reproduction) -> Figure {
         paper: Some(row.rate_kept()),
         ours,
         note: match ours {
-            Some(_) => format!("the model cannot be had: {} stands in for its {} triangles; {adapter}", name, row.triangles),
+            Some(_) => {
+                format!("the model cannot be had: {} stands in for its {} triangles; {adapter}", name, row.triangles)
+            }
             None => format!("not measured: name {}", row.stand_in),
         },
         ..figure(PERFORMANCE, format!("{}, {}", row.model, row.variant), "frame rate over plain rendering", "")
@@ -76,6 +78,7 @@ fn quality(mesh: &MeshResult, result: &VariantResult) -> Vec<Figure> {
         of("ink over length", "px", score.ink_over_length_px),
         of("missed at 1 px", "%", 100.0 * metrics.missed_1px),
         of("spurious at 1 px", "%", 100.0 * metrics.spurious_1px),
+        of("stray", "%", 100.0 * score.stray),
         of("gaps", "per 1000 px", metrics.gaps_per_1000px),
         of("shows through", "%", 100.0 * score.bleed),
         of("farthest ink", "px", score.farthest_px),

@@ -8,20 +8,23 @@ use crate::reproduce::Column;
 use std::io::{self, Write};
 
 /// The columns behind the variant's name.
-pub const COLUMNS: [Column; 9] = [
+pub const COLUMNS: [Column; 10] = [
     Column { title: "width", unit: "px", meaning: "mean width of the drawn lines where they are drawn" },
     Column { title: "deviation", unit: "px", meaning: "standard deviation of that width" },
     Column { title: "ink/length", unit: "px", meaning: "all ink over the length of all visible lines" },
     Column { title: "missed", unit: "%", meaning: "visible length without ink within 1 px" },
     Column { title: "spurious", unit: "%", meaning: "ink farther than 1 px from the true pen" },
+    Column { title: "stray", unit: "%", meaning: "ink farther than the pen's width and 1 px from every visible line" },
     Column { title: "gaps", unit: "/1000 px", meaning: "stretches longer than 1 px without ink" },
     Column { title: "through", unit: "%", meaning: "ink farther than 5 px from every silhouette edge, seen or not" },
     Column { title: "farthest", unit: "px", meaning: "distance of the farthest ink from every silhouette edge" },
-    Column { title: "time", unit: "×", meaning: "median frame time over plain rendering of all faces in the same run" },
+    Column {
+        title: "time", unit: "×", meaning: "median frame time over plain rendering of all faces in the same run"
+    },
 ];
 
 /// The cells of a variant, in the order of [`COLUMNS`]; a dash where there is nothing to tell.
-pub fn cells(mesh: &MeshResult, result: &VariantResult) -> [String; 9] {
+pub fn cells(mesh: &MeshResult, result: &VariantResult) -> [String; 10] {
     let (score, metrics) = (&result.score, &result.score.metrics);
     let at = VARIANTS.iter().position(|variant| *variant == result.variant);
     let time = mesh.times.as_ref().zip(at).map(|(times, at)| times.variants_ms[at] / times.plain_ms);
@@ -31,6 +34,7 @@ pub fn cells(mesh: &MeshResult, result: &VariantResult) -> [String; 9] {
         format!("{:.2}", score.ink_over_length_px),
         format!("{:.2}", 100.0 * metrics.missed_1px),
         format!("{:.2}", 100.0 * metrics.spurious_1px),
+        format!("{:.2}", 100.0 * score.stray),
         format!("{:.2}", metrics.gaps_per_1000px),
         format!("{:.2}", 100.0 * score.bleed),
         format!("{:.0}", score.farthest_px),
@@ -79,7 +83,7 @@ pub fn write_table(reproduction: &Reproduction, mut out: impl Write) -> io::Resu
     Ok(())
 }
 
-fn write_line(out: &mut impl Write, label: &str, cells: [&str; 9]) -> io::Result<()> {
+fn write_line(out: &mut impl Write, label: &str, cells: [&str; 10]) -> io::Result<()> {
     write!(out, "{label:<20}")?;
     for cell in cells {
         write!(out, " {cell:>10}")?;

@@ -30,7 +30,11 @@ pub const VARIANTS: [Variant; 16] = [
     variant("offset 16", "variant=offset offset-slope=16", "at most 8 px on smooth rims; shows through"),
     variant("fatten", "variant=fatten", "spikes cut at four edge lengths"),
     variant("fatten, no clamp", "variant=fatten fatten-clamp=0", "spikes, the longer the finer the mesh"),
-    variant("fatten, as printed", "variant=fatten fatten-law=as-printed fatten-clamp=0", "the same, wider off the axis"),
+    variant(
+        "fatten, as printed",
+        "variant=fatten fatten-law=as-printed fatten-clamp=0",
+        "the same, wider off the axis",
+    ),
     variant("fatten, no sine", "variant=fatten-simple", "wider the more edges point at the viewer"),
     variant("charcoal", "variant=charcoal interior=paper", "grey strokes on either side"),
 ];
