@@ -32,7 +32,7 @@ impl FatPolygons {
         formats: TargetFormats,
     ) -> Result<Self, MeshTooLarge> {
         let upload = |label, words: &[u32]| {
-            let bytes = size_of_val(words).max(4) as u64;
+            let bytes = size_of_val(words) as u64;
             let buffer = storage_buffer(device, label, bytes, wgpu::BufferUsages::empty())?;
             queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
             Ok::<_, MeshTooLarge>(buffer)
@@ -41,7 +41,7 @@ impl FatPolygons {
         let starts = upload("starts of polygons", polygons.map_or(&[0], |polygons| &polygons.starts))?;
         let count = polygons.map_or(faces, |polygons| polygons.count() as u32);
         let corner_count = polygons.map_or(3 * u64::from(faces), |polygons| polygons.corners.len() as u64);
-        let bytes = CORNER_BYTES * corner_count.max(1);
+        let bytes = CORNER_BYTES * corner_count;
         let listed = storage_buffer(device, "fattened polygons", bytes, wgpu::BufferUsages::empty())?;
         let arguments = draw_arguments(device, queue)?;
 

@@ -54,7 +54,7 @@ impl FirstLayer {
         scales: bool,
         formats: TargetFormats,
     ) -> Result<Self, MeshTooLarge> {
-        let bytes = 4 * u64::from(faces.max(1));
+        let bytes = 4 * u64::from(faces);
         let none = wgpu::BufferUsages::empty();
         let marks = storage_buffer(device, "marks of the first layer", bytes, none)?;
         let listed = storage_buffer(device, "faces behind the first layer", bytes, none)?;

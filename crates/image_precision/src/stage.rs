@@ -119,6 +119,9 @@ pub(crate) fn buffers_group(
     device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }
 
+/// Least bytes of a buffer that is bound: room for one element of any list.
+const LEAST_BYTES: u64 = 64;
+
 /// A buffer for storage that a stage fills.
 pub(crate) fn storage_buffer(
     device: &wgpu::Device,
@@ -133,7 +136,7 @@ pub(crate) fn storage_buffer(
     }
     Ok(device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
-        size: bytes,
+        size: bytes.max(LEAST_BYTES),
         usage: usage | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     }))

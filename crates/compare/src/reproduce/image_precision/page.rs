@@ -37,7 +37,7 @@ pub fn render(reproduction: &Reproduction, chart: &str) -> Result<String, miniji
 }
 
 fn section(mesh: &MeshResult) -> Value {
-    let rows = mesh.variants.iter().chain([&mesh.shuffled]).map(|result| {
+    let rows = mesh.variants.iter().chain(&mesh.shuffled).map(|result| {
         let variant = result.variant;
         context! { label => variant.label, cells => cells(mesh, result), expected => variant.expected }
     });

@@ -17,7 +17,7 @@ const PREDICTED: &str = "spheres";
 pub fn figures(reproduction: &Reproduction) -> Vec<Figure> {
     let mut figures: Vec<Figure> = ROWS.iter().map(|row| printed(row, reproduction)).collect();
     for mesh in &reproduction.meshes {
-        figures.extend(mesh.variants.iter().chain([&mesh.shuffled]).flat_map(|result| quality(mesh, result)));
+        figures.extend(mesh.variants.iter().chain(&mesh.shuffled).flat_map(|result| quality(mesh, result)));
         figures.extend(times(mesh, &reproduction.adapter));
         figures.extend(mesh.sphere_level.into_iter().flat_map(|level| sphere(mesh, level)));
     }

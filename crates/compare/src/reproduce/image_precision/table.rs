@@ -76,7 +76,7 @@ pub fn write_table(reproduction: &Reproduction, mut out: impl Write) -> io::Resu
         writeln!(out, "\n{}: {}", mesh.name, describe(mesh))?;
         write_line(&mut out, "", COLUMNS.each_ref().map(|column| column.title))?;
         write_line(&mut out, "", COLUMNS.each_ref().map(|column| column.unit))?;
-        for result in mesh.variants.iter().chain([&mesh.shuffled]) {
+        for result in mesh.variants.iter().chain(&mesh.shuffled) {
             write_line(&mut out, result.variant.label, cells(mesh, result).each_ref().map(String::as_str))?;
         }
     }

@@ -53,8 +53,15 @@ impl Variant {
     }
 }
 
-/// The variant that draws all that is not in the first layer; measured where winding says nothing.
-pub const UNORIENTED: Variant = variant("unoriented", "variant=unoriented", "as scale, and faces below a pixel");
+/// The variants that draw all that is not in the first layer; measured where winding says nothing.
+pub const UNORIENTED: [Variant; 2] = [
+    variant("unoriented", "variant=unoriented", "as scale 0.99: no pixel moves, so that small faces cannot ink"),
+    variant(
+        "unoriented, screen",
+        "variant=unoriented unoriented-lines=screen",
+        "front faces too small to be seen are inked as well",
+    ),
+];
 
 #[cfg(test)]
 mod tests {
@@ -63,9 +70,9 @@ mod tests {
 
     #[test]
     fn variants_are_options_and_labels_are_unique() {
-        let all = VARIANTS.iter().chain([&UNORIENTED]);
+        let all = VARIANTS.iter().chain(&UNORIENTED);
         let labels: BTreeSet<_> = all.clone().map(|variant| variant.label).collect();
-        assert_eq!(labels.len(), VARIANTS.len() + 1);
+        assert_eq!(labels.len(), VARIANTS.len() + UNORIENTED.len());
         assert!(all.into_iter().all(|variant| variant.options().is_ok()));
     }
 }
