@@ -16,7 +16,10 @@ use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::shapes::{ShapeError, Sphere};
 use silhouette_core::view::{Camera, Framing, ViewError, ViewPreset};
 use silhouette_core::{PreparedMesh, Progress, Projection, TriangleMesh};
+use silhouette_gpu::PenPlacement;
 use silhouette_render::{Cull, DEFAULT_SUPERSAMPLING, Gpu};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 /// Why nothing was measured.
@@ -167,12 +170,18 @@ fn measure_mesh(
         let prepared = entry.prepare(mesh, &variant.options()?, progress).map_err(|e| draw_error(e.into()))?;
         Drawing::new(gpu, mesh, prepared, style).map_err(draw_error)
     };
+    let mut true_pens: HashMap<PenPlacement, Ink> = HashMap::new();
     let mut scored = |drawing: &mut Drawing, variant: Variant| -> Result<VariantResult, ReproduceError> {
         drawing.draw(gpu, camera).map_err(draw_error)?;
         let ink = Ink::from_picture(&drawing.picture(gpu).map_err(draw_error)?);
         let pen = drawing.pen();
-        let picture = Ink::from_picture(&finder.draw(gpu, &truth, pen).map_err(truth_error)?);
-        let pen = TruePen { picture: &picture, width_px: pen.width_px };
+        let picture = match true_pens.entry(pen.placement) {
+            Entry::Occupied(drawn) => drawn.into_mut(),
+            Entry::Vacant(wanted) => {
+                wanted.insert(Ink::from_picture(&finder.draw(gpu, &truth, pen).map_err(truth_error)?))
+            }
+        };
+        let pen = TruePen { picture, width_px: pen.width_px };
         progress.advance(1);
         Ok(VariantResult { variant, score: score(&ink, &truth.lines, &all_lines, pen) })
     };
