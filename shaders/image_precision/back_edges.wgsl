@@ -18,7 +18,7 @@ fn element(id: vec3<u32>, groups: vec3<u32>) -> u32 {
 }
 
 fn list(corner: u32) {
-    let vertices = vertices_per_edge();
+    let vertices = vertices_per_line();
     listed[atomicAdd(&arguments[0], vertices) / vertices] = corner;
 }
 

@@ -9,7 +9,6 @@ struct LineVertex {
     @location(0) along_px: f32,
 }
 
-const FAN: f32 = 3.0;
 const NOTHING: LineVertex = LineVertex(vec4<f32>(2.0, 2.0, 0.0, 1.0), 0.0);
 
 // Corners of the two triangles of a quad: x 0 at a, 1 at b; y 0 lowest, 1 highest.
@@ -59,14 +58,14 @@ fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVer
         along = corner.x * length_px;
         offset = left * mix(span.x, span.y, corner.y);
     } else {
-        let of_b = vertex >= 15u;
-        let fan = (vertex - 6u) % 9u;
+        let of_b = vertex >= 6u + 3u * style.fan;
+        let fan = (vertex - 6u) % (3u * style.fan);
         anchor = select(a, b, of_b);
         along = select(0.0, length_px, of_b);
         let span = span_px(anchor.w, left);
         // One-sided ink is rounded by a quarter of a turn, ink on both sides by half a turn.
         let sweep = select(1.5707964, 3.1415927, span.x < 0.0);
-        let turn = sweep * f32(fan / 3u + fan % 3u - 1u) / FAN;
+        let turn = sweep * f32(fan / 3u + fan % 3u - 1u) / f32(style.fan);
         let outward = cos(turn) * left + sin(turn) * select(-direction, direction, of_b);
         offset = select(outward * span.y, vec2<f32>(0.0), fan % 3u == 0u);
     }
@@ -76,7 +75,7 @@ fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVer
 
 @vertex
 fn line_of_edge(@builtin(vertex_index) index: u32) -> LineVertex {
-    let vertices = vertices_per_edge();
+    let vertices = vertices_per_line();
     let corner = listed[index / vertices];
     let a = corner_position(corner);
     let b = corner_position(next_corner(corner));
@@ -88,9 +87,10 @@ fn line_of_edge(@builtin(vertex_index) index: u32) -> LineVertex {
 // Lines given by pairs of vertices, one after another.
 @vertex
 fn line_of_pair(@builtin(vertex_index) index: u32) -> LineVertex {
-    let pair = 2u * (index / 24u);
+    let vertices = vertices_per_line();
+    let pair = 2u * (index / vertices);
     let a = clip_position(vertex_position(listed[pair]));
-    return line_vertex(index % 24u, a, clip_position(vertex_position(listed[pair + 1u])));
+    return line_vertex(index % vertices, a, clip_position(vertex_position(listed[pair + 1u])));
 }
 
 @fragment

@@ -14,20 +14,29 @@
 //! neighbourhood) an edge is merely drawn behind front faces that hide it. Of an edge between four faces both back
 //! ones cancel, so that objects that share an edge may lack it.
 
-/// Vertices drawn for an edge: a quad and two fans of three triangles. Twin of the constants in `screen.wgsl` and
-/// `back_edges.wgsl`.
-pub const VERTICES_PER_EDGE: u32 = 24;
+/// Most that a rounded corner may fall short of its arc, in pixels.
+const ROUNDING_PX: f64 = 0.2;
 
-/// Share of a line's width that is missing at most where a fan of three triangles rounds a corner: its sagitta,
-/// `1 - cos(15 degrees)`.
-pub const ROUNDING: f64 = 0.034_1;
+/// Most triangles of a fan.
+const MAX_FAN: u32 = 16;
+
+/// Triangles of a fan that rounds the end of a line with an arc of `width_px` as its radius and `sweep_rad` as its angle:
+/// as few as keep its chords within a fifth of a pixel of the arc, 1 to 16.
+pub fn fan_triangles(width_px: f64, sweep_rad: f64) -> u32 {
+    let sagitta = |count: u32| width_px * (1.0 - (0.5 * sweep_rad / f64::from(count)).cos());
+    (1..MAX_FAN).find(|&count| sagitta(count) <= ROUNDING_PX).unwrap_or(MAX_FAN)
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::{FRAC_PI_2, PI};
 
     #[test]
-    fn fans_round_corners_as_stated() {
-        assert!((ROUNDING - (1.0 - 15.0_f64.to_radians().cos())).abs() < 1e-4);
+    fn wider_lines_and_wider_angles_take_more_triangles() {
+        let counts = [0.5, 2.0, 5.0, 20.0].map(|width_px| fan_triangles(width_px, FRAC_PI_2));
+        assert_eq!(counts, [1, 2, 3, 6]);
+        assert_eq!(fan_triangles(2.0, PI), 4);
+        assert_eq!(fan_triangles(1e9, PI), 16);
     }
 }

@@ -3,12 +3,13 @@
 use crate::depth_range;
 use crate::fatten::FattenLaw;
 use crate::settings::{Settings, Texture, Variant};
-use crate::{fixed_pull, scale};
+use crate::{fixed_pull, scale, screen};
 use bytemuck::{Pod, Zeroable};
 use silhouette_core::glam::{DMat4, DVec3};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
 use silhouette_gpu::LocalFrame;
+use std::f64::consts::FRAC_PI_2;
 
 /// Direction towards the light in the image, y up: the upper left.
 const LIGHT: [f64; 2] = [-0.6, 0.8];
@@ -34,6 +35,9 @@ pub(crate) struct StyleUniform {
     pub slot_mask: u32,
     pub polygon_corners: u32,
     pub lift: f32,
+    pub fan: u32,
+    pub _pad_a: u32,
+    pub _pad_b: [u32; 2],
 }
 
 /// Depths that are drawn, and how back faces are mapped to clip space.
@@ -82,6 +86,11 @@ pub(crate) fn span(variant: Variant) -> [f64; 2] {
         Variant::Wireframe { .. } => [-0.5, 0.5],
         _ => [0.0, 1.0],
     }
+}
+
+/// Triangles of the fans around the ends of lines that are at most so wide. Lines of a wireframe end bluntly.
+fn fan(variant: Variant, widest_px: f64) -> u32 {
+    if matches!(variant, Variant::Wireframe { .. }) { 0 } else { screen::fan_triangles(widest_px, FRAC_PI_2) }
 }
 
 /// Fills in what a view decides; counts of the mesh and of tables are the caller's.
@@ -140,6 +149,9 @@ pub(crate) fn of_view(
         slot_mask: 0,
         polygon_corners: 3,
         lift: 0.0,
+        fan: fan(settings.variant, width.px_at(pulled.range.near.abs())),
+        _pad_a: 0,
+        _pad_b: [0; 2],
     }
 }
 
@@ -170,7 +182,10 @@ mod tests {
             faces,
             slot_mask,
             polygon_corners,
-            lift
+            lift,
+            fan,
+            _pad_a,
+            _pad_b
         );
         let stage = silhouette_shaders::image_precision::SCREEN;
         let size = size_of::<StyleUniform>();

@@ -33,13 +33,17 @@ struct StyleUniform {
     polygon_corners: u32,
     // Towards the viewer in units of the depth buffer, for lines that lie on front faces.
     lift: f32,
+    // Triangles of the fan around either end of a line; 0: none, lines end bluntly.
+    fan: u32,
+    _pad_a: u32,
+    _pad_b: vec2<u32>,
 }
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;
 
-// Vertices of a listed edge: a quad where every edge is drawn, and otherwise a fan around either end too.
-fn vertices_per_edge() -> u32 {
-    return select(24u, 6u, style.slot_mask == 0u);
+// Vertices of a line: a quad, and a fan around either end.
+fn vertices_per_line() -> u32 {
+    return 6u + 6u * style.fan;
 }
 
 // From a point towards the viewer; not normalised.

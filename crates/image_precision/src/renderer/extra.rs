@@ -2,19 +2,22 @@
 
 use super::back::line_pipeline;
 use crate::back_edges::drawing_layout;
-use crate::screen::VERTICES_PER_EDGE;
+use crate::screen::fan_triangles;
 use crate::stage::{buffers_group, storage_buffer};
 use crate::style::StyleUniform;
 use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection};
 use silhouette_gpu::{CameraBinding, CameraUniform, MeshBinding, MeshTooLarge, TargetFormats};
+use std::f64::consts::PI;
 
 /// Lines given by pairs of vertices, centred on their edges and brought as far in front of the faces that they lie on as
 /// they are wide.
 #[derive(Debug)]
 pub(super) struct ExtraLines {
     edges: u32,
+    /// Vertices of the view last prepared.
+    vertices: u32,
     binding: CameraBinding,
     list: wgpu::BindGroup,
     pipeline: wgpu::RenderPipeline,
@@ -36,8 +39,9 @@ impl ExtraLines {
         queue.write_buffer(&pairs, 0, bytemuck::cast_slice(edges));
         let layout = CameraBinding::layout(device);
         Ok(Some(Self {
-            // The list fits a buffer, so that it has fewer than 2^32 vertices to draw or is cut there.
-            edges: (edges.len() as u64).min(u64::from(u32::MAX / VERTICES_PER_EDGE)) as u32,
+            // A mesh has fewer than 2^32 half-edges, by validation.
+            edges: edges.len() as u32,
+            vertices: 0,
             binding: CameraBinding::new(device, &layout, size_of::<StyleUniform>()),
             list: buffers_group(device, "extra edges", &drawing_layout(device), &[&pairs]),
             pipeline: line_pipeline(device, formats, "line_of_pair"),
@@ -47,7 +51,7 @@ impl ExtraLines {
     /// Uploads the style of a view, centred and lifted.
     #[allow(clippy::too_many_arguments, reason = "all that a view is")]
     pub fn prepare(
-        &self,
+        &mut self,
         queue: &wgpu::Queue,
         camera: &Camera,
         bounds: &Bounds,
@@ -64,7 +68,9 @@ impl ExtraLines {
         let toward = width_px / camera.pixels_per_unit(depth);
         let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
         let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
-        let style = StyleUniform { span: [-half, half, -half_falling, half_falling], lift: lift as f32, ..*style };
+        let fan = fan_triangles(0.5 * width_px, PI);
+        self.vertices = self.edges.saturating_mul(6 + 6 * fan);
+        let style = StyleUniform { fan, span: [-half, half, -half_falling, half_falling], lift: lift as f32, ..*style };
         self.binding.write(queue, camera_uniform, &style);
     }
 
@@ -73,6 +79,6 @@ impl ExtraLines {
         pass.set_bind_group(0, self.binding.bind_group(), &[]);
         pass.set_bind_group(1, mesh.bind_group(), &[]);
         pass.set_bind_group(2, &self.list, &[]);
-        pass.draw(0..self.edges * VERTICES_PER_EDGE, 0..1);
+        pass.draw(0..self.vertices, 0..1);
     }
 }

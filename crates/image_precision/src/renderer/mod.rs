@@ -134,7 +134,7 @@ impl LineRenderer for Renderer {
         let mut style = style::of_view(&self.settings, camera, bounds, frame, &pulled);
         self.back.complete(&mut style);
         self.binding.write(queue, &camera_uniform, &style);
-        if let Some(extra) = &self.extra {
+        if let Some(extra) = &mut self.extra {
             extra.prepare(queue, camera, bounds, &camera_uniform, &style, pulled.range, direction);
         }
         let is_inside =

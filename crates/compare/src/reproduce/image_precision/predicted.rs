@@ -32,7 +32,7 @@ pub fn scaled_width_px(k: f64) -> f64 {
     outline_radius_px() - focal_px() * tangent
 }
 
-/// What fattening in the plane without a bound was measured to draw around this sphere by an earlier experiment of this
+/// What fattening by the printed law without a bound was measured to draw around this sphere by an earlier experiment of this
 /// project, asked for 2 px: level of the icosphere, mean width and farthest ink in pixels.
 pub const FATTENED: [(u32, f64, f64); 4] = [(2, 2.9, 40.0), (3, 4.5, 120.0), (4, 9.6, 111.0), (5, 19.7, 143.0)];
 

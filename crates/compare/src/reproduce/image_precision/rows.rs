@@ -114,8 +114,8 @@ fn sphere(mesh: &MeshResult, level: u32) -> Vec<Figure> {
         .into();
     if let Some((_, mean, farthest)) = predicted::FATTENED.into_iter().find(|row| row.0 == level) {
         let earlier = "measured by an earlier experiment";
-        figures.push(of("fatten, no clamp", "ink over length, predicted", mean, earlier));
-        figures.push(of("fatten, no clamp", "farthest ink, predicted", farthest, earlier));
+        figures.push(of("fatten, as printed", "ink over length, predicted", mean, earlier));
+        figures.push(of("fatten, as printed", "farthest ink, predicted", farthest, earlier));
     }
     figures
 }
