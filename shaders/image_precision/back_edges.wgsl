@@ -22,45 +22,31 @@ fn list(corner: u32) {
     listed[atomicAdd(&arguments[0], vertices) / vertices] = corner;
 }
 
-fn bits(p: vec3<f32>) -> vec3<u32> {
-    // Minus zero is zero.
-    return bitcast<vec3<u32>>(select(p, vec3<f32>(0.0), p == vec3<f32>(0.0)));
-}
-
-fn is_less(a: vec3<u32>, b: vec3<u32>) -> bool {
-    return a.x < b.x || (a.x == b.x && (a.y < b.y || (a.y == b.y && a.z < b.z)));
-}
-
-struct Ends {
-    low: vec3<u32>,
-    high: vec3<u32>,
-}
-
-fn ends_of(corner: u32) -> Ends {
-    let a = bits(corner_position(corner));
-    let b = bits(corner_position(next_corner(corner)));
-    if is_less(a, b) {
-        return Ends(a, b);
-    }
-    return Ends(b, a);
-}
-
 fn mixed(hash: u32, word: u32) -> u32 {
     let h = (hash ^ word) * 0x9e3779b1u;
     return h ^ (h >> 15u);
 }
 
-fn hash_of(e: Ends) -> u32 {
-    let low = mixed(mixed(mixed(0x811c9dc5u, e.low.x), e.low.y), e.low.z);
-    return mixed(mixed(mixed(low, e.high.x), e.high.y), e.high.z);
+fn hash_of(p: vec3<f32>) -> u32 {
+    // Minus zero is zero.
+    let words = bitcast<vec3<u32>>(select(p, vec3<f32>(0.0), p == vec3<f32>(0.0)));
+    return mixed(mixed(mixed(0x811c9dc5u, words.x), words.y), words.z);
 }
 
-fn count(corner: u32) {
-    let e = ends_of(corner);
-    if all(e.low == e.high) {
-        return;
+// Whether two edges have the same ends, in either order: by their numbers, and where those differ by their places.
+fn is_same(first: vec2<u32>, second: vec2<u32>) -> bool {
+    if all(first == second) || all(first == second.yx) {
+        return true;
     }
-    var slot = hash_of(e) & style.slot_mask;
+    let a = vertex_position(first.x);
+    let b = vertex_position(first.y);
+    let c = vertex_position(second.x);
+    let d = vertex_position(second.y);
+    return (all(a == c) && all(b == d)) || (all(a == d) && all(b == c));
+}
+
+fn count(corner: u32, ends: vec2<u32>, hash: u32) {
+    var slot = hash & style.slot_mask;
     for (var probe = 0u; probe < LONGEST_PROBE; probe++) {
         let seen = atomicCompareExchangeWeak(&table[slot], 0u, corner + 1u);
         if seen.exchanged {
@@ -68,8 +54,8 @@ fn count(corner: u32) {
         }
         // A weak exchange may fail without a reason; the slot is then still empty and is tried again.
         if seen.old_value != 0u {
-            let other = ends_of((seen.old_value & ~SHARED) - 1u);
-            if all(other.low == e.low) && all(other.high == e.high) {
+            let other = (seen.old_value & ~SHARED) - 1u;
+            if is_same(ends, vec2<u32>(corners[other], corners[next_corner(other)])) {
                 atomicOr(&table[slot], SHARED);
                 return;
             }
@@ -81,13 +67,20 @@ fn count(corner: u32) {
 }
 
 fn add_face(face: u32) {
-    for (var slot = 0u; slot < 3u; slot++) {
-        if style.slot_mask == 0u {
+    if style.slot_mask == 0u {
+        for (var slot = 0u; slot < 3u; slot++) {
             list(3u * face + slot);
-        } else {
-            count(3u * face + slot);
         }
+        return;
     }
+    let ends = vec3<u32>(corners[3u * face], corners[3u * face + 1u], corners[3u * face + 2u]);
+    let a = hash_of(vertex_position(ends.x));
+    let b = hash_of(vertex_position(ends.y));
+    let c = hash_of(vertex_position(ends.z));
+    // The same whichever end comes first.
+    count(3u * face, ends.xy, mixed(a ^ b, a + b));
+    count(3u * face + 1u, ends.yz, mixed(b ^ c, b + c));
+    count(3u * face + 2u, ends.zx, mixed(c ^ a, c + a));
 }
 
 @compute @workgroup_size(64)

@@ -1,6 +1,7 @@
 // Lines as wide as asked for, expanded in the image plane. Twin: crates/image_precision/src/screen.rs
 //
-// A listed edge is a quad beside the projected edge and a fan around either end. All of it has the depth of the edge.
+// A listed edge is a quad beside the projected edge, its outer corners drawn out a little, and a fan around either end. All
+// of it has the depth of the edge.
 
 @group(2) @binding(0) var<storage, read> listed: array<u32>;
 
@@ -48,27 +49,29 @@ fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVer
     }
     let direction = way / length_px;
     let left = vec2<f32>(-direction.y, direction.x);
-    var anchor = a;
-    var along = 0.0;
+    let fan_vertices = 3u * style.fan;
+    let fan = (vertex - 6u) % max(fan_vertices, 1u);
+    let corner = QUAD[min(vertex, 5u)];
+    let of_b = select(vertex >= 6u + fan_vertices, corner.x > 0.5, vertex < 6u);
+    let anchor = select(a, b, of_b);
+    let beyond = select(-direction, direction, of_b);
+    let span = span_px(anchor.w, left);
     var offset = vec2<f32>(0.0);
     if vertex < 6u {
-        let corner = QUAD[vertex];
-        anchor = select(a, b, corner.x > 0.5);
-        let span = span_px(anchor.w, left);
-        along = corner.x * length_px;
-        offset = left * mix(span.x, span.y, corner.y);
-    } else {
-        let of_b = vertex >= 6u + 3u * style.fan;
-        let fan = (vertex - 6u) % (3u * style.fan);
-        anchor = select(a, b, of_b);
-        along = select(0.0, length_px, of_b);
-        let span = span_px(anchor.w, left);
-        // One-sided ink is rounded by a quarter of a turn, ink on both sides by half a turn.
-        let sweep = select(1.5707964, 3.1415927, span.x < 0.0);
-        let turn = sweep * f32(fan / 3u + fan % 3u - 1u) / f32(style.fan);
-        let outward = cos(turn) * left + sin(turn) * select(-direction, direction, of_b);
-        offset = select(outward * span.y, vec2<f32>(0.0), fan % 3u == 0u);
+        let across = mix(span.x, span.y, corner.y);
+        offset = left * across + beyond * (abs(across) * style.corner);
+    } else if fan % 3u != 0u {
+        // From the outer corner of the quad round to straight ahead, or where ink lies on both sides to the other corner.
+        let step = fan / 3u + fan % 3u - 1u;
+        let is_centred = span.x < 0.0;
+        let at_corner = step == 0u || (is_centred && step == style.fan);
+        let first = atan(style.corner);
+        let sweep = select(1.5707964 - first, 3.1415927 - 2.0 * first, is_centred);
+        let turn = first + sweep * f32(step) / f32(style.fan);
+        let radius = span.y * select(1.0, sqrt(1.0 + style.corner * style.corner), at_corner);
+        offset = (cos(turn) * left + sin(turn) * beyond) * radius;
     }
+    let along = select(0.0, length_px, of_b);
     let ndc = anchor.xy / anchor.w + 2.0 * offset / style.viewport_px;
     return LineVertex(vec4<f32>(ndc * anchor.w, anchor.z + style.lift * anchor.w, anchor.w), along);
 }

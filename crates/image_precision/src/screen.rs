@@ -14,29 +14,52 @@
 //! neighbourhood) an edge is merely drawn behind front faces that hide it. Of an edge between four faces both back
 //! ones cancel, so that objects that share an edge may lack it.
 
-/// Most that a rounded corner may fall short of its arc, in pixels.
+use std::f64::consts::FRAC_PI_2;
+
+/// Most that a rounded corner may fall short of its arc or reach beyond it, in pixels.
 const ROUNDING_PX: f64 = 0.2;
 
 /// Most triangles of a fan.
 const MAX_FAN: u32 = 16;
 
-/// Triangles of a fan that rounds the end of a line with an arc of `width_px` as its radius and `sweep_rad` as its angle:
-/// as few as keep its chords within a fifth of a pixel of the arc, 1 to 16.
-pub fn fan_triangles(width_px: f64, sweep_rad: f64) -> u32 {
-    let sagitta = |count: u32| width_px * (1.0 - (0.5 * sweep_rad / f64::from(count)).cos());
-    (1..MAX_FAN).find(|&count| sagitta(count) <= ROUNDING_PX).unwrap_or(MAX_FAN)
+/// How the end of a line is rounded.
+///
+/// The quad's outer corners reach beyond its ends, so that lines which turn a little meet without a fan; the fan goes on
+/// from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rounding {
+    /// How far outer corners reach beyond the end of the line, over its width.
+    pub corner: f64,
+    /// Triangles of the fan around the end, 1 to 16.
+    pub fan: u32,
+}
+
+/// The rounding of a line whose ends are arcs of `width_px` as their radius: as few triangles as keep it within a fifth of
+/// a pixel of the arcs. One-sided lines are rounded by a quarter of a turn, centred ones by half a turn.
+pub fn rounding(width_px: f64, is_centred: bool) -> Rounding {
+    let reach = (width_px / (width_px + ROUNDING_PX)).acos();
+    let corners = if is_centred { 2.0 } else { 1.0 };
+    let sweep = corners * (FRAC_PI_2 - reach);
+    // The chord next to a corner begins as far outside of the arc as it may end inside.
+    let sagitta = |count: u32| width_px * (1.0 - (0.5 * sweep / f64::from(count)).cos());
+    let fan = (1..MAX_FAN).find(|&count| sagitta(count) <= 2.0 * ROUNDING_PX).unwrap_or(MAX_FAN);
+    Rounding { corner: reach.tan(), fan }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::{FRAC_PI_2, PI};
 
     #[test]
-    fn wider_lines_and_wider_angles_take_more_triangles() {
-        let counts = [0.5, 2.0, 5.0, 20.0].map(|width_px| fan_triangles(width_px, FRAC_PI_2));
-        assert_eq!(counts, [1, 2, 3, 6]);
-        assert_eq!(fan_triangles(2.0, PI), 4);
-        assert_eq!(fan_triangles(1e9, PI), 16);
+    fn wider_lines_take_more_triangles_and_reach_less() {
+        let counts = [0.5, 2.0, 5.0, 20.0].map(|width_px| rounding(width_px, false).fan);
+        assert_eq!(counts, [1, 1, 2, 4]);
+        assert!(rounding(2.0, true).fan > 1 && rounding(1e9, true).fan == 16);
+        for width_px in [0.5, 2.0, 20.0, 1000.0] {
+            let Rounding { corner, .. } = rounding(width_px, false);
+            let beyond = width_px * corner.hypot(1.0) - width_px;
+            assert!((beyond - ROUNDING_PX).abs() < 1e-6, "{width_px}: {beyond}");
+        }
+        assert!(rounding(0.0, false).corner.is_finite());
     }
 }

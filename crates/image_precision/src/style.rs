@@ -2,6 +2,7 @@
 
 use crate::depth_range;
 use crate::fatten::FattenLaw;
+use crate::screen::Rounding;
 use crate::settings::{Settings, Texture, Variant};
 use crate::{fixed_pull, scale, screen};
 use bytemuck::{Pod, Zeroable};
@@ -9,7 +10,6 @@ use silhouette_core::glam::{DMat4, DVec3};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
 use silhouette_gpu::LocalFrame;
-use std::f64::consts::FRAC_PI_2;
 
 /// Direction towards the light in the image, y up: the upper left.
 const LIGHT: [f64; 2] = [-0.6, 0.8];
@@ -36,8 +36,8 @@ pub(crate) struct StyleUniform {
     pub polygon_corners: u32,
     pub lift: f32,
     pub fan: u32,
-    pub _pad_a: u32,
-    pub _pad_b: [u32; 2],
+    pub corner: f32,
+    pub _pad: [u32; 2],
 }
 
 /// Depths that are drawn, and how back faces are mapped to clip space.
@@ -88,9 +88,13 @@ pub(crate) fn span(variant: Variant) -> [f64; 2] {
     }
 }
 
-/// Triangles of the fans around the ends of lines that are at most so wide. Lines of a wireframe end bluntly.
-fn fan(variant: Variant, widest_px: f64) -> u32 {
-    if matches!(variant, Variant::Wireframe { .. }) { 0 } else { screen::fan_triangles(widest_px, FRAC_PI_2) }
+/// How lines are rounded that are at most so wide. Lines of a wireframe end bluntly.
+fn rounding(variant: Variant, widest_px: f64) -> Rounding {
+    if matches!(variant, Variant::Wireframe { .. }) {
+        Rounding { corner: 0.0, fan: 0 }
+    } else {
+        screen::rounding(widest_px, false)
+    }
 }
 
 /// Fills in what a view decides; counts of the mesh and of tables are the caller's.
@@ -110,6 +114,7 @@ pub(crate) fn of_view(
         Projection::Orthographic { .. } => (-axis.as_vec3().extend(0.0), camera.pixels_per_unit(1.0) * frame.unit()),
     };
     let width = settings.width.over_depth(camera, bounds);
+    let rounding = rounding(settings.variant, width.px_at(pulled.range.near.abs()));
     let [low, high] = span(settings.variant);
     let [constant, falling] = [width.constant_px, width.px_at_depth_1 / unit];
     let depth = (bounds.center - camera.eye().as_dvec3()).dot(axis);
@@ -149,9 +154,9 @@ pub(crate) fn of_view(
         slot_mask: 0,
         polygon_corners: 3,
         lift: 0.0,
-        fan: fan(settings.variant, width.px_at(pulled.range.near.abs())),
-        _pad_a: 0,
-        _pad_b: [0; 2],
+        fan: rounding.fan,
+        corner: rounding.corner as f32,
+        _pad: [0; 2],
     }
 }
 
@@ -184,8 +189,8 @@ mod tests {
             polygon_corners,
             lift,
             fan,
-            _pad_a,
-            _pad_b
+            corner,
+            _pad
         );
         let stage = silhouette_shaders::image_precision::SCREEN;
         let size = size_of::<StyleUniform>();

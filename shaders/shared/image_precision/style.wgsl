@@ -35,8 +35,9 @@ struct StyleUniform {
     lift: f32,
     // Triangles of the fan around either end of a line; 0: none, lines end bluntly.
     fan: u32,
-    _pad_a: u32,
-    _pad_b: vec2<u32>,
+    // Outer corners of a line reach beyond its ends by this share of the width; the fans go on from there.
+    corner: f32,
+    _pad: vec2<u32>,
 }
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;

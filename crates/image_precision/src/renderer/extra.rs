@@ -2,14 +2,13 @@
 
 use super::back::line_pipeline;
 use crate::back_edges::drawing_layout;
-use crate::screen::fan_triangles;
+use crate::screen;
 use crate::stage::{buffers_group, storage_buffer};
 use crate::style::StyleUniform;
 use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection};
 use silhouette_gpu::{CameraBinding, CameraUniform, MeshBinding, MeshTooLarge, TargetFormats};
-use std::f64::consts::PI;
 
 /// Lines given by pairs of vertices, centred on their edges and brought as far in front of the faces that they lie on as
 /// they are wide.
@@ -68,9 +67,15 @@ impl ExtraLines {
         let toward = width_px / camera.pixels_per_unit(depth);
         let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
         let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
-        let fan = fan_triangles(0.5 * width_px, PI);
-        self.vertices = self.edges.saturating_mul(6 + 6 * fan);
-        let style = StyleUniform { fan, span: [-half, half, -half_falling, half_falling], lift: lift as f32, ..*style };
+        let rounding = screen::rounding(0.5 * width_px, true);
+        self.vertices = self.edges.saturating_mul(6 + 6 * rounding.fan);
+        let style = StyleUniform {
+            fan: rounding.fan,
+            corner: rounding.corner as f32,
+            span: [-half, half, -half_falling, half_falling],
+            lift: lift as f32,
+            ..*style
+        };
         self.binding.write(queue, camera_uniform, &style);
     }
 
