@@ -3,7 +3,7 @@
 
 use crate::settings::ExtraEdges;
 use silhouette_core::glam::DVec3;
-use silhouette_core::{EdgeId, Topology, TriangleMesh};
+use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 
 /// The vertices of every edge asked for, in the order of edge ids. O(E). An edge with three or more faces counts as a
 /// crease; one whose faces include one without area does not.
@@ -21,7 +21,7 @@ pub fn feature_edges(mesh: &TriangleMesh, topology: &Topology, wanted: ExtraEdge
             _ => true,
         },
     };
-    edges.filter(is_wanted).map(|edge| topology.end_points(edge).map(|vertex| vertex.get())).collect()
+    edges.filter(is_wanted).map(|edge| topology.end_points(edge).map(VertexId::get)).collect()
 }
 
 fn normal(mesh: &TriangleMesh, face: usize) -> Option<DVec3> {

@@ -93,7 +93,7 @@ struct Pipe {
 impl Pipe {
     fn new(rack: u32, pipe: u32) -> Self {
         let seed = rack * PIPES_PER_RACK + pipe;
-        let ahead = if rack % 2 == 0 { DVec3::X } else { DVec3::Z };
+        let ahead = if rack.is_multiple_of(2) { DVec3::X } else { DVec3::Z };
         let side = ahead.cross(DVec3::Y);
         let place = (f64::from(pipe) + 0.5) / f64::from(PIPES_PER_RACK) * 2.0 - 1.0;
         let height = LOWEST_RACK + RACK_HEIGHT * f64::from(rack);

@@ -21,7 +21,7 @@ pub(super) enum Back {
     /// Their fattened polygons.
     Fat(FatPolygons),
     /// Whatever lies behind the first layer.
-    Later(FirstLayer),
+    Later(Box<FirstLayer>),
 }
 
 impl Back {
@@ -55,7 +55,10 @@ impl Back {
                 let is_charcoal = matches!(variant, Variant::Charcoal { .. });
                 Ok(Self::Fat(FatPolygons::new(device, queue, faces, method.polygons(), is_charcoal, formats)?))
             }
-            Variant::Unoriented { k } => Ok(Self::Later(FirstLayer::new(device, queue, faces, k.is_some(), formats)?)),
+            Variant::Unoriented { k } => {
+                let layer = FirstLayer::new(device, queue, faces, k.is_some(), formats)?;
+                Ok(Self::Later(Box::new(layer)))
+            }
             Variant::Equal
             | Variant::FixedPull { .. }
             | Variant::Scale { .. }

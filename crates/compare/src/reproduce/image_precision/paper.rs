@@ -58,8 +58,8 @@ mod tests {
 
     #[test]
     fn rates_kept_are_shares_and_variants_exist() {
-        let kept = ROWS.map(|row| (row.rate_kept() * 1000.0).round());
-        assert_eq!(kept, [606.0, 758.0, 174.0, 167.0, 700.0]);
+        let kept = ROWS.map(|row| (row.rate_kept() * 1000.0).round() as u32);
+        assert_eq!(kept, [606, 758, 174, 167, 700]);
         assert!(ROWS.iter().all(|row| VARIANTS.iter().any(|variant| variant.label == row.variant)));
     }
 }
