@@ -5,7 +5,7 @@
 
 struct FatVertex {
     @builtin(position) position: vec4<f32>,
-    @location(0) along_px: f32,
+    @location(0) @interpolate(flat) level: u32,
     @location(1) @interpolate(flat) facing: f32,
 }
 
@@ -22,13 +22,12 @@ fn fat_vertex(@builtin(vertex_index) index: u32) -> FatVertex {
     } else if corner == 5u {
         position = listed[listed[record].next].begin;
     }
-    let along = select(0.0, listed[record].length_px, corner == 2u || corner == 4u);
-    return FatVertex(clip_position(position), along, listed[record].facing);
+    return FatVertex(clip_position(position), listed[record].level, listed[record].facing);
 }
 
 @fragment
 fn fat_fragment(in: FatVertex) -> @location(0) vec4<f32> {
-    if is_blank(in.along_px, in.position.xy) {
+    if is_blank(in.level, in.position.xy) {
         discard;
     }
     return faded_ink(1.0 / in.position.w);

@@ -1,4 +1,4 @@
-// Every face as its number plus one. Twin: crates/image_precision/src/unoriented.rs
+// Every face as its number plus one, a byte a channel: formats of whole numbers have one sample a pixel. Twin: crates/image_precision/src/unoriented.rs
 
 struct NumberedVertex {
     @invariant @builtin(position) position: vec4<f32>,
@@ -11,6 +11,6 @@ fn numbered_vertex(@builtin(vertex_index) index: u32) -> NumberedVertex {
 }
 
 @fragment
-fn number_fragment(in: NumberedVertex) -> @location(0) u32 {
-    return in.number;
+fn number_fragment(in: NumberedVertex) -> @location(0) vec4<f32> {
+    return unpack4x8unorm(in.number);
 }

@@ -27,6 +27,6 @@ fn list_polygons(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_work
         let pushed = push(a, b, p);
         let ends = array<vec4<f32>, 2>(clip_position(a), clip_position(b));
         let way = 0.5 * style.viewport_px * (ends[1].xy / ends[1].w - ends[0].xy / ends[0].w);
-        listed[first + corner] = FatCorner(p.middle, facing, a + pushed, length(way), b + pushed, first + next);
+        listed[first + corner] = FatCorner(p.middle, facing, a + pushed, is_level(way), b + pushed, first + next);
     }
 }

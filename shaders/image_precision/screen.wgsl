@@ -7,10 +7,10 @@
 
 struct LineVertex {
     @builtin(position) position: vec4<f32>,
-    @location(0) along_px: f32,
+    @location(0) @interpolate(flat) level: u32,
 }
 
-const NOTHING: LineVertex = LineVertex(vec4<f32>(2.0, 2.0, 0.0, 1.0), 0.0);
+const NOTHING: LineVertex = LineVertex(vec4<f32>(2.0, 2.0, 0.0, 1.0), 0u);
 
 // Corners of the two triangles of a quad: x 0 at a, 1 at b; y 0 lowest, 1 highest.
 const QUAD: array<vec2<f32>, 6> = array<vec2<f32>, 6>(
@@ -71,9 +71,8 @@ fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVer
         let radius = span.y * select(1.0, sqrt(1.0 + style.corner * style.corner), at_corner);
         offset = (cos(turn) * left + sin(turn) * beyond) * radius;
     }
-    let along = select(0.0, length_px, of_b);
     let ndc = anchor.xy / anchor.w + 2.0 * offset / style.viewport_px;
-    return LineVertex(vec4<f32>(ndc * anchor.w, anchor.z + style.lift * anchor.w, anchor.w), along);
+    return LineVertex(vec4<f32>(ndc * anchor.w, anchor.z + style.lift * anchor.w, anchor.w), is_level(way));
 }
 
 @vertex
@@ -98,7 +97,7 @@ fn line_of_pair(@builtin(vertex_index) index: u32) -> LineVertex {
 
 @fragment
 fn line_fragment(in: LineVertex) -> @location(0) vec4<f32> {
-    if is_blank(in.along_px, in.position.xy) {
+    if is_blank(in.level, in.position.xy) {
         discard;
     }
     return faded_ink(1.0 / in.position.w);

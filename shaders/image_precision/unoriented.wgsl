@@ -4,7 +4,6 @@
 // back faces are.
 
 @group(2) @binding(0) var<storage, read_write> first_layer: array<u32>;
-@group(2) @binding(1) var seen: texture_2d<u32>;
 @group(2) @binding(2) var<storage, read_write> listed: array<u32>;
 @group(2) @binding(3) var<storage, read_write> arguments: array<atomic<u32>>;
 
@@ -12,9 +11,11 @@
 fn mark_seen(@builtin(global_invocation_id) id: vec3<u32>) {
     let size = textureDimensions(seen);
     if id.x < size.x && id.y < size.y {
-        let number = textureLoad(seen, vec2<i32>(id.xy), 0).r;
-        if number != 0u {
-            first_layer[number - 1u] = 1u;
+        for (var sample = 0u; sample < samples(); sample++) {
+            let number = pack4x8unorm(sample_at(vec2<i32>(id.xy), sample));
+            if number != 0u {
+                first_layer[number - 1u] = 1u;
+            }
         }
     }
 }

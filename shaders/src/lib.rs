@@ -62,13 +62,17 @@ pub mod image_precision {
     /// Every face as its number.
     pub const FIRST_LAYER: &str = stage!("../shared/mesh.wgsl", "../image_precision/first_layer.wgsl");
     /// Marks the faces that are seen and lists the others.
-    pub const UNORIENTED: &str = stage!("../image_precision/unoriented.wgsl");
+    pub const UNORIENTED: &str =
+        stage!("../shared/image_precision/seen_single.wgsl", "../image_precision/unoriented.wgsl");
+    /// The same for targets with several samples a pixel.
+    pub const UNORIENTED_MULTISAMPLED: &str =
+        stage!("../shared/image_precision/seen_multiple.wgsl", "../image_precision/unoriented.wgsl");
     /// Faces behind the first layer.
     pub const LATER_FACES: &str = stage!("../shared/mesh.wgsl", "../image_precision/later_faces.wgsl");
 }
 
 /// Every stage with its path below the crate's folder.
-pub const ALL: [(&str, &str); 14] = [
+pub const ALL: [(&str, &str); 15] = [
     ("render/fill.wgsl", render::FILL),
     ("render/line_segments.wgsl", render::LINE_SEGMENTS),
     ("render/line_joins.wgsl", render::LINE_JOINS),
@@ -82,6 +86,7 @@ pub const ALL: [(&str, &str); 14] = [
     ("image_precision/fatten.wgsl", image_precision::FATTEN),
     ("image_precision/first_layer.wgsl", image_precision::FIRST_LAYER),
     ("image_precision/unoriented.wgsl", image_precision::UNORIENTED),
+    ("image_precision/unoriented.wgsl", image_precision::UNORIENTED_MULTISAMPLED),
     ("image_precision/later_faces.wgsl", image_precision::LATER_FACES),
 ];
 
@@ -112,8 +117,9 @@ mod tests {
             }
         }
         on_disk.sort();
-        let mut listed = ALL.map(|(path, _)| path.to_owned());
+        let mut listed = ALL.map(|(path, _)| path.to_owned()).to_vec();
         listed.sort();
+        listed.dedup();
         assert_eq!(on_disk, listed);
     }
 }

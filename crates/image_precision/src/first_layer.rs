@@ -5,10 +5,11 @@ use crate::back_edges::{self, BackEdges, Listed, draw_arguments};
 use crate::renderer::line_pipeline;
 use crate::stage::{Stage, buffers_group, compute, groups, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge, TargetFormats};
-use silhouette_shaders::image_precision::{FIRST_LAYER, LATER_FACES, UNORIENTED};
+use silhouette_shaders::image_precision::{FIRST_LAYER, LATER_FACES, UNORIENTED, UNORIENTED_MULTISAMPLED};
 
-/// Numbers of faces in the layer's texture.
-const NUMBERS: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+/// Numbers of faces in the layer's texture, a byte a channel: it needs as many samples a pixel as the target, so that no
+/// face is seen there that the layer has not, and formats of whole numbers have one.
+const NUMBERS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Side of the square that a workgroup of the marking stage covers, in pixels.
 const MARKED_SQUARE: u32 = 8;
@@ -63,9 +64,9 @@ impl FirstLayer {
             binding: 1,
             visibility: wgpu::ShaderStages::COMPUTE,
             ty: wgpu::BindingType::Texture {
-                sample_type: wgpu::TextureSampleType::Uint,
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
                 view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: false,
+                multisampled: formats.samples > 1,
             },
             count: None,
         };
@@ -75,6 +76,7 @@ impl FirstLayer {
         });
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
         let drawing_layout = back_edges::drawing_layout(device);
+        let marking_stage = if formats.samples > 1 { UNORIENTED_MULTISAMPLED } else { UNORIENTED };
         let marking = [Some(&camera), None, Some(&marking_layout)];
         let drawing = [Some(&camera), Some(&mesh), Some(&drawing_layout)];
         let stage = |label, wgsl, [vertex, fragment]: [&'static str; 2], compare| Stage {
@@ -99,9 +101,9 @@ impl FirstLayer {
         Ok(Self {
             faces,
             formats,
-            number: number.build(device, &drawing[..2], NUMBERS, 1),
-            mark: compute(device, UNORIENTED, "mark_seen", &marking),
-            list: compute(device, UNORIENTED, "list_later_faces", &marking),
+            number: number.build(device, &drawing[..2], NUMBERS, formats.samples),
+            mark: compute(device, marking_stage, "mark_seen", &marking),
+            list: compute(device, marking_stage, "list_later_faces", &marking),
             drawing: buffers_group(device, "faces behind the first layer", &drawing_layout, &[&listed]),
             marking_layout,
             marks,
@@ -132,7 +134,7 @@ impl FirstLayer {
                 label: Some(label),
                 size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
                 mip_level_count: 1,
-                sample_count: 1,
+                sample_count: self.formats.samples,
                 dimension: wgpu::TextureDimension::D2,
                 format,
                 usage: usage | wgpu::TextureUsages::RENDER_ATTACHMENT,

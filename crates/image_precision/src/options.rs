@@ -155,7 +155,7 @@ pub(crate) const BLUE: OptionSpec = number("ink-blue", "", [0.0, 1.0, 0.0], "Blu
 pub(crate) const TEXTURE: OptionSpec = choice(
     "texture",
     &["solid", "dashes", "stipple"],
-    "Pattern of lines that have a width: dashes run along each edge, stipple lies in the image",
+    "Pattern of lines that have a width: dashes run with the nearer axis of the image, stipple lies in the image",
 );
 pub(crate) const INTERIOR: OptionSpec = choice(
     "interior",

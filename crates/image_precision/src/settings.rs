@@ -93,7 +93,7 @@ pub enum Interior {
 pub enum Texture {
     /// None.
     Solid,
-    /// 7 px of ink and 5 px of paper along each edge, from its begin.
+    /// 7 px of ink and 5 px of paper along the axis of the image that an edge is nearer to.
     Dashes,
     /// A chequerboard of 2 px in the image.
     Stipple,

@@ -8,4 +8,5 @@
 //! Faces too small to cover a pixel's centre are not marked although they are in front: of the bunny's front faces that a
 //! picture 16 times as fine shows, 42 % lack at 256 x 256 pixels and 3 % at 1024 x 1024. Scaling about the eye moves no
 //! pixel, so that they stay without ink; expanding their edges inks them, which is why `scale` is the default here.
-//! Numbers have 32 bits and the texture one sample a pixel, whatever the target has.
+//! Numbers have 32 bits, and the texture as many samples a pixel as the target: a face seen by a sample of the target alone
+//! would be inked.

@@ -52,8 +52,15 @@ fn towards_viewer(p: vec3<f32>) -> vec3<f32> {
     return style.eye.xyz - p * style.eye.w;
 }
 
-// Whether a texture leaves this place of a line blank: `along` in pixels from the edge's begin.
-fn is_blank(along: f32, pixel: vec2<f32>) -> bool {
+// Whether a way in the image is nearer to level than to upright.
+fn is_level(way: vec2<f32>) -> u32 {
+    return u32(abs(way.x) > abs(way.y));
+}
+
+// Whether a texture leaves this place of a line blank. Dashes run with the axis of the image that the line is nearer to, so
+// that they do not begin anew at each edge.
+fn is_blank(level: u32, pixel: vec2<f32>) -> bool {
+    let along = select(pixel.y, pixel.x, level != 0u);
     let cell = vec2<u32>(pixel) / 2u;
     return (style.texture == 1u && fract(along / 12.0) > 0.6) || (style.texture == 2u && (cell.x + cell.y) % 2u == 1u);
 }

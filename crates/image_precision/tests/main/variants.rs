@@ -169,6 +169,14 @@ fn a_soup_of_turned_triangles_is_drawn_without_orientation() {
     let expected = inked(&mesh, &["variant=scale", "scale=0.95"]) as f64;
     let found = inked(&soup, &["variant=unoriented", "scale=0.95"]) as f64;
     assert!((found / expected - 1.0).abs() < 0.05, "{found} {expected}");
+    // With several samples a pixel as well: what one sample sees is marked.
+    let smooth = TargetFormats { samples: 4, ..DEFAULT_FORMATS };
+    let dark = |words: &[&str], mesh: &TriangleMesh| {
+        let image = draw(gpu, mesh, &camera, words, smooth).image;
+        image.rgba.chunks_exact(4).filter(|pixel| pixel[0] < 64).count() as f64
+    };
+    let ratio = dark(&["variant=unoriented", "scale=0.95"], &soup) / dark(&["variant=scale", "scale=0.95"], &mesh);
+    assert!((ratio - 1.0).abs() < 0.05, "{ratio}");
     let wide = inked(&soup, &["variant=unoriented", "unoriented-lines=screen", "width=2"]);
     assert!(wide > inked(&mesh, &["width=2"]) * 9 / 10, "{wide}");
     // Oriented variants need the winding.
