@@ -1,11 +1,4 @@
-// Step 3 of Raskar and Cohen 1999: back faces, black, scaled about the eye. Twin: crates/image_precision/src/back_faces.rs
-
-struct BackFacesUniform {
-    // What the scaling adds to clip-space z; x, y and w stay, so that the same pixels are covered.
-    clip_z_offset: f32,
-}
-
-@group(0) @binding(1) var<uniform> back_faces: BackFacesUniform;
+// Step 3 of Raskar and Cohen 1999, section 3.2: back faces, black, pulled. Twin: crates/image_precision/src/back_faces.rs
 
 struct BackVertex {
     @invariant @builtin(position) position: vec4<f32>,
@@ -13,12 +6,10 @@ struct BackVertex {
 
 @vertex
 fn back_vertex(@location(0) position: vec3<f32>) -> BackVertex {
-    var clip = clip_position(position);
-    clip.z += back_faces.clip_z_offset;
-    return BackVertex(clip);
+    return BackVertex(style.back_to_clip * vec4<f32>(position, 1.0));
 }
 
 @fragment
-fn back_fragment() -> @location(0) vec4<f32> {
-    return vec4<f32>(0.0, 0.0, 0.0, 1.0);
+fn back_fragment(in: BackVertex) -> @location(0) vec4<f32> {
+    return faded_ink(1.0 / in.position.w);
 }

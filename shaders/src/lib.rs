@@ -28,16 +28,51 @@ pub mod render {
 
 /// Stages of `silhouette-image-precision`.
 pub mod image_precision {
-    /// Front faces, white.
-    pub const FRONT_FACES: &str =
-        concat!(include_str!("../shared/camera.wgsl"), include_str!("../image_precision/front_faces.wgsl"));
-    /// Back faces, black, scaled about the eye.
-    pub const BACK_FACES: &str =
-        concat!(include_str!("../shared/camera.wgsl"), include_str!("../image_precision/back_faces.wgsl"));
+    /// A stage of this crate behind the camera and the lines' style, and behind the shared texts named.
+    macro_rules! stage {
+        ($($text:literal),*) => {
+            concat!(
+                include_str!("../shared/camera.wgsl"),
+                include_str!("../shared/image_precision/style.wgsl"),
+                $(include_str!($text)),*
+            )
+        };
+    }
+
+    /// Front faces, as paper or shaded.
+    pub const FRONT_FACES: &str = stage!("../image_precision/front_faces.wgsl");
+    /// Back faces, black, pulled.
+    pub const BACK_FACES: &str = stage!("../image_precision/back_faces.wgsl");
+    /// Lists edges of back faces.
+    pub const BACK_EDGES: &str =
+        stage!("../shared/mesh.wgsl", "../shared/image_precision/facing.wgsl", "../image_precision/back_edges.wgsl");
+    /// Lines expanded in the image plane.
+    pub const SCREEN: &str =
+        stage!("../shared/mesh.wgsl", "../shared/image_precision/facing.wgsl", "../image_precision/screen.wgsl");
+    /// Lists polygons to be fattened.
+    pub const POLYGONS: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/polygon.wgsl",
+        "../shared/image_precision/push.wgsl",
+        "../shared/image_precision/fat_corner.wgsl",
+        "../image_precision/polygons.wgsl"
+    );
+    /// Fattened polygons.
+    pub const FATTEN: &str = stage!("../shared/image_precision/fat_corner.wgsl", "../image_precision/fatten.wgsl");
+    /// Every face as its number.
+    pub const FIRST_LAYER: &str = stage!("../shared/mesh.wgsl", "../image_precision/first_layer.wgsl");
+    /// Marks the faces that are seen and lists the others.
+    pub const UNORIENTED: &str =
+        stage!("../shared/image_precision/seen_single.wgsl", "../image_precision/unoriented.wgsl");
+    /// The same for targets with several samples a pixel.
+    pub const UNORIENTED_MULTISAMPLED: &str =
+        stage!("../shared/image_precision/seen_multiple.wgsl", "../image_precision/unoriented.wgsl");
+    /// Faces behind the first layer.
+    pub const LATER_FACES: &str = stage!("../shared/mesh.wgsl", "../image_precision/later_faces.wgsl");
 }
 
 /// Every stage with its path below the crate's folder.
-pub const ALL: [(&str, &str); 7] = [
+pub const ALL: [(&str, &str); 15] = [
     ("render/fill.wgsl", render::FILL),
     ("render/line_segments.wgsl", render::LINE_SEGMENTS),
     ("render/line_joins.wgsl", render::LINE_JOINS),
@@ -45,6 +80,14 @@ pub const ALL: [(&str, &str); 7] = [
     ("render/box_downsample.wgsl", render::BOX_DOWNSAMPLE),
     ("image_precision/front_faces.wgsl", image_precision::FRONT_FACES),
     ("image_precision/back_faces.wgsl", image_precision::BACK_FACES),
+    ("image_precision/back_edges.wgsl", image_precision::BACK_EDGES),
+    ("image_precision/screen.wgsl", image_precision::SCREEN),
+    ("image_precision/polygons.wgsl", image_precision::POLYGONS),
+    ("image_precision/fatten.wgsl", image_precision::FATTEN),
+    ("image_precision/first_layer.wgsl", image_precision::FIRST_LAYER),
+    ("image_precision/unoriented.wgsl", image_precision::UNORIENTED),
+    ("image_precision/unoriented.wgsl", image_precision::UNORIENTED_MULTISAMPLED),
+    ("image_precision/later_faces.wgsl", image_precision::LATER_FACES),
 ];
 
 #[cfg(test)]
@@ -74,8 +117,9 @@ mod tests {
             }
         }
         on_disk.sort();
-        let mut listed = ALL.map(|(path, _)| path.to_owned());
+        let mut listed = ALL.map(|(path, _)| path.to_owned()).to_vec();
         listed.sort();
+        listed.dedup();
         assert_eq!(on_disk, listed);
     }
 }

@@ -50,7 +50,7 @@ pub enum Command {
     /// Draw the lines of one method to a PNG
     #[command(after_help = "Examples:\n  \
         silhouettes render bunny.obj --method brute-force -o bunny.png\n  \
-        silhouettes render bunny.obj --method image-precision --set scale=0.97 -o bunny.png\n  \
+        silhouettes render bunny.obj --method image-precision --set variant=scale --set scale=0.97 -o bunny.png\n  \
         silhouettes render builtin:knot --view iso --size 512x512 --width 2 -o knot.png")]
     Render(RenderArguments),
     /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline
@@ -64,9 +64,11 @@ pub enum Command {
     #[command(after_help = "Examples:\n  \
         silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
         silhouettes reproduce tracking stanford-bunny.obj armadillo.obj cow.obj --profile full -o out/tracking\n  \
+        silhouettes reproduce image-precision -o out/image-precision\n  \
         silhouettes reproduce all -o out/papers\n\n\
-        The models of the papers are not part of this program. Without a mesh a built-in shape is flown around, and no row\n\
-        stands beside the paper's. The bunny of Hall's table is known by its 69451 faces.")]
+        The models of the papers are not part of this program. Without a mesh built-in shapes are taken: for\n\
+        tracking no row then stands beside the paper's, whose bunny is known by its 69451 faces; for image-precision they are\n\
+        as large as the paper's models. With all, each paper has a folder of its own.")]
     Reproduce(ReproduceArguments),
 }
 
@@ -171,6 +173,8 @@ pub struct CompareArguments {
 pub enum PaperArgument {
     /// Hall 2003, Silhouette Tracking
     Tracking,
+    /// Raskar and Cohen 1999, Image precision silhouette edges
+    ImagePrecision,
     /// Every one of these
     All,
 }
@@ -180,7 +184,7 @@ pub enum PaperArgument {
 pub struct ReproduceArguments {
     /// Whose figures to measure
     pub paper: PaperArgument,
-    /// Mesh files or builtin:NAME [default: a built-in shape]
+    /// Mesh files or builtin:NAME [default: built-in shapes]
     pub meshes: Vec<String>,
     /// How much to measure
     #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]

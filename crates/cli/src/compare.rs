@@ -29,7 +29,7 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     }
     let progress = TerminalProgress::new();
     let meshes = input::meshes(&arguments.meshes, &DEFAULT_MESHES, &progress)?;
-    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;
+    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
     let mut comparison = run_comparison(&config, &meshes, &gpu, &progress).map_err(failed)?;
     for cell in &comparison.left_out {
         failure::note(cell);

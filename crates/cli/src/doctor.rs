@@ -34,5 +34,5 @@ pub fn run() -> Result<(), Failure> {
         let _ = writeln!(text, "{:<17} {needs:<12} {place}", entry.info.name);
     }
     Output::Stdout.write(text.as_bytes())?;
-    gpu.map(drop).map_err(Failure::run)
+    gpu.map(drop).map_err(Failure::gpu)
 }

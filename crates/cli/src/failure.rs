@@ -4,6 +4,7 @@ use silhouette_core::load::LoadError;
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::progress::Cancelled;
 use silhouette_core::view::ViewError;
+use silhouette_render::GpuError;
 use std::fmt::Display;
 use std::io::Write;
 use std::process::ExitCode;
@@ -33,6 +34,14 @@ impl Failure {
         match error {
             PrepareError::Option(error) => error.into(),
             PrepareError::Mesh(reason) => Self::Input(format!("{mesh}: not defined for {method}: {reason}")),
+            other => Self::run(other),
+        }
+    }
+
+    /// No device could be opened: bad usage where the choice of an adapter itself does not fit.
+    pub fn gpu(error: GpuError) -> Self {
+        match error {
+            GpuError::AdapterVariable { .. } => Self::input(error),
             other => Self::run(other),
         }
     }

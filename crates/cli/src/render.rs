@@ -1,7 +1,7 @@
 //! `silhouettes render`: the lines of one method as a PNG.
 
 use crate::args::RenderArguments;
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
@@ -30,12 +30,15 @@ pub fn run(arguments: &RenderArguments) -> Result<(), Failure> {
     let named = input::mesh(&arguments.mesh, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
-    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;
+    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
     let style = FrameStyle { size: camera.size(), pen_width_px: arguments.width, samples: arguments.samples };
     let failed = |error| match error {
         DrawError::Prepare(error) => Failure::of_preparation(&named.name, entry.info.name, error),
         other => Failure::run(other),
     };
-    let image = render_method(&gpu, entry, &options, &named.mesh, &camera, style, &progress).map_err(failed)?;
-    output.write(&image.to_png().map_err(Failure::run)?)
+    let rendered = render_method(&gpu, entry, &options, &named.mesh, &camera, style, &progress).map_err(failed)?;
+    if let Some(warning) = &rendered.warning {
+        failure::note(warning);
+    }
+    output.write(&rendered.image.to_png().map_err(Failure::run)?)
 }

@@ -58,3 +58,32 @@ fn what_cannot_be_reproduced_is_refused_in_one_line() {
     assert_eq!(fs::read_to_string(theirs.join("a.jpg")).unwrap(), "mine");
     assert!(!new.exists());
 }
+
+#[test]
+fn image_precision_has_its_own_tables_and_needs_an_adapter() {
+    if std::env::var_os("SILHOUETTES_GPU").is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let target = folder.path().join("out");
+    let run = |adapter: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_silhouettes"));
+        command.args(["reproduce", "image-precision", "builtin:cube", "-o"]).arg(&target);
+        command.env("SILHOUETTES_ADAPTER", adapter).output().unwrap()
+    };
+    let refused = run("quantum");
+    let line = String::from_utf8(refused.stderr).unwrap();
+    assert_eq!((refused.status.code(), line.lines().count()), (Some(2), 1), "{line}");
+    assert!(line.contains("'quantum'") && !target.exists(), "{line}");
+    let done = run("any");
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let table = String::from_utf8(done.stdout).unwrap();
+    assert!(table.contains("\nbuiltin:cube: 12 faces") && table.matches("\nscreen ").count() == 5, "{table}");
+    let rows = fs::read_to_string(target.join("tables.jsonl")).unwrap();
+    let rows: Vec<Value> = rows.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let missed = rows.iter().find(|row| row["row"] == "builtin:cube, screen" && row["metric"] == "missed at 1 px");
+    assert_eq!(missed.unwrap()["ours"], 0.0);
+    let printed = rows.iter().find(|row| row["row"] == "AMR, wireframe").unwrap();
+    assert!((printed["paper"].as_f64().unwrap() - 0.7).abs() < 1e-12 && printed["ours"].is_null(), "{printed}");
+    assert!(fs::read_to_string(target.join("index.html")).unwrap().contains("builtin:cube"));
+}

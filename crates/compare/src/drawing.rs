@@ -5,7 +5,7 @@ use crate::registry::{EdgeMethod, Entry, LineMethod, Prepared};
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::view::Camera;
 use silhouette_core::{NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh, VertexId};
-use silhouette_gpu::{LineRenderer, MeshBuffers, MeshTooLarge, Pen, PenPlacement, TargetFormats};
+use silhouette_gpu::{LineRenderer, MeshBuffers, MeshTooLarge, Pen, PenPlacement, RendererError, TargetFormats};
 use silhouette_render::{
     DEFAULT_FORMATS, FillPass, FillStyle, Gpu, GpuError, Image, LinePass, LineStyle, Load, PassTime, PassView,
     Polylines, Target,
@@ -26,6 +26,9 @@ pub enum DrawError {
     /// The device's buffers cannot hold the mesh.
     #[error(transparent)]
     MeshTooLarge(#[from] MeshTooLarge),
+    /// The method's renderer cannot be made on this device.
+    #[error(transparent)]
+    Renderer(#[from] RendererError),
     /// The device failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -104,7 +107,12 @@ impl Drawing {
             Source::Edges(source) => source.draw(gpu, camera, &self.target, self.style.pen_width_px)?,
             Source::Lines { renderer, .. } => {
                 renderer.prepare(gpu.device(), gpu.queue(), camera);
-                let pass = gpu.draw(&self.target, Load::Clear(PAPER), |pass| renderer.draw(pass))?;
+                let pass = gpu.draw_after(
+                    &self.target,
+                    Load::Clear(PAPER),
+                    |encoder| renderer.encode(encoder),
+                    |pass| renderer.draw(pass),
+                )?;
                 (vec![pass], None)
             }
         };
@@ -119,6 +127,14 @@ impl Drawing {
     /// [`DrawError::Gpu`].
     pub fn picture(&self, gpu: &Gpu) -> Result<Image, DrawError> {
         Ok(self.target.read_color(gpu)?)
+    }
+
+    /// What the user should know of the frame drawn last; see [`LineRenderer::warning`].
+    pub fn warning(&self) -> Option<String> {
+        match &self.source {
+            Source::Edges(_) => None,
+            Source::Lines { renderer, .. } => renderer.warning(),
+        }
     }
 
     /// The edges of the frame drawn last, for a method that extracts edges.
@@ -187,6 +203,15 @@ impl EdgeSource {
     }
 }
 
+/// A picture, with what its user should know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendered {
+    /// The picture.
+    pub image: Image,
+    /// Why its lines may be wrong, and what to choose instead; see [`LineRenderer::warning`].
+    pub warning: Option<String>,
+}
+
 /// Draws one view by one method: what a user who only wants the picture needs.
 ///
 /// # Errors
@@ -199,11 +224,11 @@ pub fn render_method(
     camera: &Camera,
     style: FrameStyle,
     progress: &dyn Progress,
-) -> Result<Image, DrawError> {
+) -> Result<Rendered, DrawError> {
     let prepared = entry.prepare(mesh, options, progress)?;
     let mut drawing = Drawing::new(gpu, mesh, prepared, style)?;
     drawing.draw(gpu, camera)?;
-    drawing.picture(gpu)
+    Ok(Rendered { image: drawing.picture(gpu)?, warning: drawing.warning() })
 }
 
 #[cfg(test)]
@@ -227,7 +252,7 @@ mod tests {
             let options = OptionValues::defaults(entry.info.options);
             let [sharp, smooth] = [1, 4].map(|samples| {
                 let style = FrameStyle { size: camera.size(), pen_width_px: 2.0, samples };
-                render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap()
+                render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image
             });
             let name = entry.info.name;
             let is_grey = |image: &Image| image.rgba.chunks(4).any(|pixel| !matches!(pixel[0], 0 | 255));

@@ -4,7 +4,7 @@ use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, Viewpoint};
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
-use silhouette_gpu::{DrawsLines, LineRenderer, MeshTooLarge, PenPlacement, TargetFormats};
+use silhouette_gpu::{DrawsLines, LineRenderer, PenPlacement, RendererError, TargetFormats};
 use silhouette_image_precision::ImagePrecision;
 use silhouette_render::Gpu;
 use silhouette_tracking::{ExactTracking, Tracking};
@@ -138,8 +138,8 @@ pub trait LineMethod: Send {
     /// See [`DrawsLines::renderer`].
     ///
     /// # Errors
-    /// [`MeshTooLarge`] where the device's buffers cannot hold the mesh.
-    fn renderer(&self, gpu: &Gpu, formats: TargetFormats) -> Result<Box<dyn LineRenderer>, MeshTooLarge>;
+    /// [`RendererError`]: the mesh is too large for the device, or the device lacks what the options ask for.
+    fn renderer(&self, gpu: &Gpu, formats: TargetFormats) -> Result<Box<dyn LineRenderer>, RendererError>;
 }
 
 struct EdgesOnly<M>(M);
@@ -176,7 +176,7 @@ impl<M: DrawsLines> LineMethod for M {
     fn pen_placement(&self) -> PenPlacement {
         DrawsLines::pen_placement(self)
     }
-    fn renderer(&self, gpu: &Gpu, formats: TargetFormats) -> Result<Box<dyn LineRenderer>, MeshTooLarge> {
+    fn renderer(&self, gpu: &Gpu, formats: TargetFormats) -> Result<Box<dyn LineRenderer>, RendererError> {
         Ok(Box::new(DrawsLines::renderer(self, gpu.device(), gpu.queue(), formats)?))
     }
 }

@@ -29,11 +29,11 @@ pub struct CameraBinding {
 }
 
 impl CameraBinding {
-    /// The layout: binding 0 for vertex stages, binding 1 for both stages.
+    /// The layout: both bindings for vertex, fragment and compute stages.
     pub fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-        let entry = |binding, visibility| wgpu::BindGroupLayoutEntry {
+        let entry = |binding| wgpu::BindGroupLayoutEntry {
             binding,
-            visibility,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE,
             ty: wgpu::BindingType::Buffer {
                 ty: wgpu::BufferBindingType::Uniform,
                 has_dynamic_offset: false,
@@ -43,7 +43,7 @@ impl CameraBinding {
         };
         device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("camera and own uniform"),
-            entries: &[entry(0, wgpu::ShaderStages::VERTEX), entry(1, wgpu::ShaderStages::VERTEX_FRAGMENT)],
+            entries: &[entry(0), entry(1)],
         })
     }
 

@@ -1,8 +1,9 @@
 //! The drawing convention between a silhouette method and a wgpu application.
 //!
 //! A method's renderer is middleware: it creates no device, owns no window, submits nothing and reads nothing back.
-//! The application calls [`LineRenderer::prepare`] once a frame, which uploads what changed, begins a render pass whose
-//! attachments match [`TargetFormats`], cleared as [`TargetFormats`] says, and calls [`LineRenderer::draw`].
+//! The application calls [`LineRenderer::prepare`] once a frame, which uploads what changed, then
+//! [`LineRenderer::encode`] with its encoder, begins a render pass whose attachments match [`TargetFormats`], cleared as
+//! [`TargetFormats`] says, and calls [`LineRenderer::draw`].
 //!
 //! Beside the convention lies what every renderer of a mesh needs: [`MeshBuffers`] and [`CameraUniform`], both relative
 //! to a [`LocalFrame`], so that a mesh far from the origin is drawn as sharply as one at the origin.
@@ -10,14 +11,18 @@
 mod camera;
 mod formats;
 mod local_frame;
+mod mesh_binding;
 mod mesh_buffers;
 mod pen;
+mod renderer_error;
 
 pub use camera::{CameraBinding, CameraUniform};
 pub use formats::TargetFormats;
 pub use local_frame::LocalFrame;
+pub use mesh_binding::MeshBinding;
 pub use mesh_buffers::{MeshBuffers, MeshTooLarge, POSITION_LAYOUT};
 pub use pen::{Pen, PenPlacement};
+pub use renderer_error::RendererError;
 
 use silhouette_core::method::Method;
 use silhouette_core::view::Camera;
@@ -33,13 +38,13 @@ pub trait DrawsLines: Method {
     /// Uploads the mesh and builds the pipelines.
     ///
     /// # Errors
-    /// [`MeshTooLarge`] where the device's buffers cannot hold the mesh.
+    /// [`RendererError`]: the mesh is too large for the device, or the device lacks what the options ask for.
     fn renderer(
         &self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         formats: TargetFormats,
-    ) -> Result<Self::Renderer, MeshTooLarge>;
+    ) -> Result<Self::Renderer, RendererError>;
 }
 
 /// Draws the lines of a view into somebody's render pass.
@@ -47,6 +52,15 @@ pub trait LineRenderer: Send {
     /// Uploads what changed since the last call. The viewport of `camera` is the whole target.
     fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, camera: &Camera);
 
-    /// Records the draws of the view last prepared.
+    /// Records what the view last prepared needs before its render pass: compute passes, and render passes into textures of
+    /// the renderer's own. Nothing, unless a renderer says so.
+    fn encode(&self, _encoder: &mut wgpu::CommandEncoder) {}
+
+    /// What the user should know of the view last prepared: why its lines may be wrong, and what to choose instead.
+    fn warning(&self) -> Option<String> {
+        None
+    }
+
+    /// Records the draws of the view last prepared, in the render pass after [`encode`](Self::encode).
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>);
 }

@@ -31,8 +31,19 @@ impl LocalFrame {
     /// From this frame to the clip space of `camera`. Clip coordinates of a perspective are in units of the frame;
     /// what they stand for after the division is the same.
     pub fn to_clip(&self, camera: &Camera, range: ClipRange, direction: DepthDirection) -> DMat4 {
+        self.through(camera, camera.clip_matrix(range, direction))
+    }
+
+    /// The same with a view-to-clip matrix of the caller's own. Rows that two such matrices share are the same bits in
+    /// both results.
+    pub fn through(&self, camera: &Camera, view_to_clip: DMat4) -> DMat4 {
         let from_local = DMat4::from_translation(self.center) * DMat4::from_scale(DVec3::splat(self.unit));
-        camera.world_to_clip(range, direction) * from_local * (1.0 / self.clip_unit(camera))
+        view_to_clip * (camera.view_matrix() * from_local) * (1.0 / self.clip_unit(camera))
+    }
+
+    /// The world length of the frame's unit.
+    pub fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// The world length that one unit of clip-space w stands for.

@@ -12,9 +12,9 @@ pub const POSITION_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBuffe
 
 /// A mesh is larger than a buffer of the device can be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the mesh's {what} take {bytes} bytes; a buffer of this device holds at most {limit}")]
+#[error("{what} of this mesh take {bytes} bytes; a buffer of this device holds at most {limit}")]
 pub struct MeshTooLarge {
-    /// `"positions"` or `"triangles"`.
+    /// What is too large: `"positions"`, `"triangles"`, or what a renderer derives from them.
     pub what: &'static str,
     /// Bytes they take.
     pub bytes: u64,
@@ -67,6 +67,16 @@ impl MeshBuffers {
         }
     }
 
+    /// Positions and triangles, for stages that pull them by index; `None` for a mesh without triangles.
+    pub fn buffers(&self) -> Option<(&wgpu::Buffer, &wgpu::Buffer)> {
+        self.buffers.as_ref().map(|(positions, triangles)| (positions, triangles))
+    }
+
+    /// Number of triangles.
+    pub fn face_count(&self) -> u32 {
+        self.indices / 3
+    }
+
     /// Bytes on the device.
     pub fn bytes(&self) -> u64 {
         self.bytes
@@ -104,7 +114,7 @@ fn upload(
     let buffer = device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size: bytes.len() as u64,
-        usage: usage | wgpu::BufferUsages::COPY_DST,
+        usage: usage | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
     queue.write_buffer(&buffer, 0, bytes);

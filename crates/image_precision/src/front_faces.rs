@@ -1,21 +1,32 @@
-//! Step 2: front faces, white. Stage: `shaders/image_precision/front_faces.wgsl`.
+//! Step 2: front faces, white or shaded. Stage: `shaders/image_precision/front_faces.wgsl`.
 
-use crate::renderer::Stage;
+use crate::settings::Interior;
+use crate::stage::Stage;
 use silhouette_gpu::TargetFormats;
 
-/// Front faces alone, over everything farther.
+/// Front faces, or all of them for meshes whose winding says nothing, over everything farther.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
-    layout: &wgpu::PipelineLayout,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
     formats: TargetFormats,
+    interior: Interior,
+    culled: Option<wgpu::Face>,
 ) -> wgpu::RenderPipeline {
+    let (vertex, fragment) = match interior {
+        Interior::Paper => ("paper_vertex", "paper_fragment"),
+        Interior::Lit => ("front_vertex", "lit_fragment"),
+        Interior::Grey => ("front_vertex", "grey_fragment"),
+        Interior::Gooch => ("front_vertex", "gooch_fragment"),
+    };
     Stage {
         label: "image precision: front faces",
         wgsl: silhouette_shaders::image_precision::FRONT_FACES,
-        vertex: "front_vertex",
-        fragment: "front_fragment",
-        culled: wgpu::Face::Back,
-        compare: formats.nearer(),
+        vertex,
+        fragment,
+        is_indexed: true,
+        culled,
+        polygon_mode: wgpu::PolygonMode::Fill,
+        depth: formats.depth_state(formats.nearer()),
     }
-    .build(device, layout, formats)
+    .build(device, layouts, formats.color, formats.samples)
 }

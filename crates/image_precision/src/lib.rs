@@ -1,53 +1,92 @@
 //! Silhouettes that appear in the image: nothing is searched, the depth buffer finds them.
 //!
-//! Ramesh Raskar and Michael Cohen, "Image precision silhouette edges", Symposium on Interactive 3D Graphics 1999,
-//! section 3.2, first way of the z-scaled translation: back faces scaled about the eye.
+//! Ramesh Raskar and Michael Cohen, "Image precision silhouette edges", Symposium on Interactive 3D Graphics 1999: every
+//! variant of it, and `screen`, the corrected one.
 //!
 //! 1. The background is cleared to white, depth to the farthest value: the application's render pass.
-//! 2. `front_faces.rs`: front faces, white, depth test "nearer".
-//! 3. [`back_faces`]: back faces, black, scaled about the eye by k, depth test "nearer or equal".
+//! 2. `front_faces.rs`: front faces, white or shaded, depth test "nearer".
+//! 3. Back faces, black, depth test "nearer or equal", by variant.
 //!
-//! A back face is hidden by the front faces before it, except along a silhouette edge, where the two meet and k puts a
-//! strip of it in front.
+//! A back face is hidden by the front faces before it, except along a silhouette edge, where the two meet and the variant
+//! puts a strip of it in front, or beside.
+//!
+//! | variant | section | step 3 | ink |
+//! |---|---|---|---|
+//! | [`screen`] | ours | edges of back faces expanded in the image plane | outside, as wide as asked |
+//! | [`equal`] | 3.1 | depth test "equal" | (almost) none |
+//! | [`wireframe`] | 3.2 | edges of back faces as lines | half of the width shows outside |
+//! | [`fixed_pull`] | 3.2 | moved towards the camera | inside, as wide as the shape has it |
+//! | [`scale`] | 3.2 | scaled about the eye | the same |
+//! | [`depth_range`] | 3.2 | other near or far plane | the same |
+//! | [`offset`] | 3.2 | polygon offset | the same |
+//! | [`fatten`] | 3.3 | polygons fattened in their plane | outside, with spikes |
+//! | [`charcoal`] | 4 | the same, with front faces nearly edge-on | both sides |
+//! | [`unoriented`] | 4 | whatever is not in the nearest layer | as scaled |
 //!
 //! # When to choose it
-//! For a triangle soup: no adjacency, no preparation, positions and triangles are enough. Two passes over the mesh, O(F) a
-//! view on the GPU; on the CPU nothing, unless the eye is within the mesh's bounding box, where telling inside from outside
-//! is O(F). (The renderer uploads positions once; a mesh that moves needs a renderer anew.) The price is a width that follows the shape
-//! ([`back_faces::rim_width`]): thin on smooth rims, thick on sharp edges. Where thickness has to be even, use a method
-//! that knows edges.
+//! For a triangle soup: no adjacency, no preparation, positions and triangles are enough. O(F) a view on the GPU; on the
+//! CPU nothing, unless the eye is within the mesh's bounding box, where telling inside from outside is O(F). (The renderer
+//! uploads positions once; a mesh that moves needs a renderer anew.) `screen` draws even lines; the paper's variants are
+//! for comparison, for their look, and where an adapter cannot run compute stages.
+//!
+//! # Depth
+//! Near and far plane fit the mesh tightly, with room for what is pulled, unless the application sets its own. A pull that
+//! the depth buffer cannot tell from none is told ([`depth_step`], `Renderer::pull_below_depth_step`).
 //!
 //! # Departures from the paper
-//! 1. Scaling about the eye moves no point in the image, so only clip-space z changes, by a constant
-//!    ([`back_faces::clip_z_offset`]); x, y and w stay the same bits and the same pixels are covered. The paper scales
-//!    the model-view matrix.
-//! 2. An orthographic camera has no eye to scale about. There, back faces are pulled along the axis by 1 - k of the
-//!    distance between the camera's eye and its target; the paper does not say.
-//! 3. The near plane is brought in by k, so that what is pulled across it is not clipped. The paper does not mention it.
-//! 4. With the eye inside a closed mesh only back faces are in sight, and the paper's method turns the view black.
+//! 1. Near and far are widened, so that what is pulled across the near plane is not clipped. The paper does not mention it.
+//! 2. With the eye inside a closed mesh only back faces are in sight, and the paper's method turns the view black.
 //!    [`eye_inside`] recognises that without adjacency and leaves step 3 out; `eye-inside=draw` brings it back.
+//! 3. Each variant's own are told in its module.
 //!
 //! # Input and output
-//! Triangles counter-clockwise from outside; facing is decided by the rasteriser from the winding of the projected
-//! triangle. Objects that touch or intersect get lines along their contact as well. Ink lies inside the outline, on the
-//! front face. k = 1 draws (almost) nothing: a back face at a pixel's centre is behind the front face there, and only
-//! rounding makes them equal.
+//! Triangles counter-clockwise from outside. Facing of drawn faces is decided by the rasteriser, of listed faces by the
+//! sign of their plane at the eye; they differ at most for faces that are edge-on, which cover no pixel. Objects that touch
+//! or intersect get lines along their contact as well.
 //!
 //! # Failures
-//! Open meshes: a back face seen through a hole is black all over, and boundary edges get no ink, so a single sheet draws
-//! nothing from the front and is black from behind. An eye on the surface may count as outside or inside.
+//! Open meshes: a back face seen through a hole is black all over by every pull, and boundary edges of front faces get no
+//! ink unless `extra-edges` asks for them, which builds the topology. An eye on the surface may count as outside or inside.
 //!
-//! Small k bleeds: a back face behind a front face shows through it where the two are closer along the line of sight than
-//! 1 - k of their distance from the eye. A plate of thickness 0.02 seen from 4 is black all over below k = 0.995.
+//! Pulls bleed: a back face behind a front face shows through it where the two are closer along the line of sight than the
+//! pull. A plate of thickness 0.02 seen from 4 is black all over below a scale of 0.995.
 
-pub mod back_faces;
+#[cfg(feature = "gpu")]
+mod back_edges;
+pub mod charcoal;
+pub mod depth_range;
+pub mod depth_step;
+pub mod equal;
 pub mod eye_inside;
+pub mod fatten;
+#[cfg(feature = "gpu")]
+mod fatten_list;
+pub mod feature_edges;
+#[cfg(feature = "gpu")]
+mod first_layer;
+pub mod fixed_pull;
 #[cfg(feature = "gpu")]
 mod front_faces;
+mod line_width;
 mod method;
+pub mod offset;
+mod options;
+mod polygons;
 #[cfg(feature = "gpu")]
 mod renderer;
+pub mod scale;
+pub mod screen;
+mod settings;
+#[cfg(feature = "gpu")]
+mod stage;
+#[cfg(feature = "gpu")]
+mod style;
+pub mod unoriented;
+pub mod wireframe;
 
+pub use line_width::{LineWidth, WidthOverDepth, WidthUnit};
 pub use method::ImagePrecision;
+pub use polygons::Polygons;
 #[cfg(feature = "gpu")]
 pub use renderer::Renderer;
+pub use settings::{ExtraEdges, Interior, Settings, Texture, Variant};

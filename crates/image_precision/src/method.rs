@@ -1,6 +1,11 @@
-//! [`ImagePrecision`]: what the method says of itself, and its options.
+//! [`ImagePrecision`]: what the method says of itself, and its preparation.
 
-use silhouette_core::method::{Method, MethodInfo, OptionKind, OptionSpec, OptionValues, PrepareError, Source};
+use crate::feature_edges::feature_edges;
+use crate::options;
+use crate::polygons::Polygons;
+use crate::settings::{ExtraEdges, Settings};
+use silhouette_core::Topology;
+use silhouette_core::method::{Method, MethodInfo, OptionValues, PrepareError, Source};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
 use std::sync::Arc;
@@ -9,29 +14,16 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct ImagePrecision {
     mesh: Arc<PreparedMesh>,
-    scale: f64,
-    skips_inside: bool,
+    settings: Settings,
+    extra_edges: Vec<[u32; 2]>,
+    polygons: Option<Polygons>,
 }
-
-const SCALE: OptionSpec = OptionSpec {
-    name: "scale",
-    summary: "Scale of back faces about the eye: 1 draws nothing, smaller is thicker and shows through sooner; the \
-              paper uses 0.95 to 0.99",
-    unit: "",
-    kind: OptionKind::Number { min: 0.01, max: 1.0, default: 0.99 },
-};
-
-const EYE_INSIDE: OptionSpec = OptionSpec {
-    name: "eye-inside",
-    summary: "With the eye inside a closed mesh: skip the back faces, or draw them as the paper does, all black",
-    unit: "",
-    kind: OptionKind::Choice(&["skip", "draw"]),
-};
 
 impl Method for ImagePrecision {
     const INFO: MethodInfo = MethodInfo {
         name: "image-precision",
-        summary: "Draws back faces black and slightly scaled towards the eye, over white front faces.",
+        summary: "Draws back faces black over white front faces, so that they show along silhouettes alone; or, by \
+                  default, their edges expanded in the image plane.",
         source: Source {
             authors: "Ramesh Raskar and Michael Cohen",
             title: "Image precision silhouette edges",
@@ -40,23 +32,27 @@ impl Method for ImagePrecision {
         },
         exact: false,
         needs: &[],
-        options: &[SCALE, EYE_INSIDE],
+        options: options::ALL,
     };
 
     fn prepare(
         mesh: &Arc<PreparedMesh>,
         options: &OptionValues,
-        _progress: &dyn Progress,
+        progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
-        Ok(Self {
-            mesh: Arc::clone(mesh),
-            scale: options.number(SCALE.name)?,
-            skips_inside: options.choice(EYE_INSIDE.name)? == "skip",
-        })
+        let settings = Settings::read(options)?;
+        let extra_edges = if settings.extra_edges == ExtraEdges::None {
+            Vec::new()
+        } else {
+            let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
+            feature_edges(mesh.mesh(), &topology, settings.extra_edges)
+        };
+        let polygons = settings.fans.then(|| Polygons::from_fans(mesh.mesh()));
+        Ok(Self { mesh: Arc::clone(mesh), settings, extra_edges, polygons })
     }
 
     fn bytes(&self) -> usize {
-        0
+        size_of_val(&self.extra_edges[..]) + self.polygons.as_ref().map_or(0, Polygons::bytes)
     }
 }
 
@@ -66,35 +62,59 @@ impl ImagePrecision {
         &self.mesh
     }
 
-    /// Scale of back faces about the eye, k in the paper, above 0 and at most 1.
-    pub fn scale(&self) -> f64 {
-        self.scale
+    /// What the options say.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
-    /// Whether back faces are left out while the eye is inside a closed mesh.
-    pub fn skips_inside(&self) -> bool {
-        self.skips_inside
+    /// Vertices of the edges that are drawn along.
+    pub fn extra_edges(&self) -> &[[u32; 2]] {
+        &self.extra_edges
+    }
+
+    /// The polygons that are fattened, where they are not the triangles.
+    pub fn polygons(&self) -> Option<&Polygons> {
+        self.polygons.as_ref()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::mesh::TriangleMesh;
+    use crate::settings::Variant;
+    use silhouette_core::method::OptionKind;
     use silhouette_core::progress::NoProgress;
+    use silhouette_core::shapes::Cuboid;
+
+    fn prepare(words: &[&str]) -> (ImagePrecision, Arc<PreparedMesh>) {
+        let mesh = Arc::new(PreparedMesh::new(Cuboid::default().mesh().unwrap()));
+        let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
+        (ImagePrecision::prepare(&mesh, &options, &NoProgress).unwrap(), mesh)
+    }
 
     #[test]
-    fn preparation_derives_nothing() {
-        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(vec![], vec![]).unwrap()));
-        let options = OptionValues::parse(ImagePrecision::INFO.options, ["scale=0.95"]).unwrap();
-        let method = ImagePrecision::prepare(&mesh, &options, &NoProgress).unwrap();
-        assert!((method.scale() - 0.95).abs() < 1e-12 && method.skips_inside());
-        assert!(mesh.report().is_empty());
+    fn no_variant_derives_anything_but_for_extra_edges() {
+        let OptionKind::Choice(variants) = options::VARIANT.kind else { panic!("variant is a choice") };
+        for variant in variants {
+            let (method, mesh) = prepare(&[&format!("variant={variant}"), "polygons=fans"]);
+            assert!(mesh.report().is_empty(), "{variant}");
+            assert_eq!(method.polygons().map(Polygons::count), Some(6));
+        }
+        let (method, mesh) = prepare(&["extra-edges=boundary-and-creases"]);
+        assert_eq!((mesh.report().len(), mesh.report()[0].name), (1, "topology"));
+        assert_eq!(method.extra_edges().len(), 12);
+    }
+
+    #[test]
+    fn options_are_read_into_their_variant() {
+        assert_eq!(prepare(&[]).0.settings().variant, Variant::Screen);
+        assert_eq!(prepare(&["variant=scale", "scale=0.95"]).0.settings().variant, Variant::Scale { k: 0.95 });
+        assert_eq!(prepare(&["variant=unoriented"]).0.settings().variant, Variant::Unoriented { k: Some(0.99) });
     }
 
     #[test]
     fn scales_that_are_none_are_refused() {
-        for word in ["scale=0", "scale=-0.5", "scale=1.01", "scale=nan"] {
+        for word in ["scale=0", "scale=-0.5", "scale=1.01", "scale=nan", "width=-1"] {
             assert!(OptionValues::parse(ImagePrecision::INFO.options, [word]).is_err(), "{word}");
         }
         assert!(OptionValues::parse(ImagePrecision::INFO.options, ["scale=1"]).is_ok());

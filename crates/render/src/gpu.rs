@@ -12,6 +12,9 @@ use std::time::Duration;
 /// 16384 x 16384 image with depth and its read-back.
 pub const DEFAULT_MEMORY_BUDGET: u64 = 4 << 30;
 
+/// Features that are used where the adapter has them: to time passes, and for methods that draw the adapter's own lines.
+const WANTED_FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::POLYGON_MODE_LINE);
+
 /// How long a submit may take. On a software adapter the largest reference tile takes seconds; more is a hang.
 const TIMEOUT: Duration = Duration::from_secs(300);
 
@@ -49,7 +52,7 @@ impl Gpu {
         let description = AdapterDescription::new(&adapter);
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("silhouettes"),
-            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_features: adapter.features() & WANTED_FEATURES,
             required_limits: adapter.limits(),
             ..Default::default()
         }))?;

@@ -48,11 +48,16 @@ impl Target {
             resolve_target: None,
             ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
         };
-        gpu.submit_pass(&[Some(attachment)], None, |pass| {
-            pass.set_pipeline(&reader.pipeline);
-            pass.set_bind_group(0, &bind_group, &[]);
-            pass.draw(0..3, 0..1);
-        })?;
+        gpu.submit_pass(
+            &[Some(attachment)],
+            None,
+            |_| {},
+            |pass| {
+                pass.set_pipeline(&reader.pipeline);
+                pass.set_bind_group(0, &bind_group, &[]);
+                pass.draw(0..3, 0..1);
+            },
+        )?;
         let bytes = read_texture(gpu, &floats)?;
         let values = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         Ok(DepthImage { width, height, values })

@@ -35,6 +35,21 @@ impl Gpu {
         load: Load,
         record: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Result<PassTime, GpuError> {
+        self.draw_after(target, load, |_| {}, record)
+    }
+
+    /// As [`draw`](Self::draw), with what `encode` records before the pass in the same submission, and outside of the
+    /// pass's own time.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub fn draw_after(
+        &self,
+        target: &Target,
+        load: Load,
+        encode: impl FnOnce(&mut wgpu::CommandEncoder),
+        record: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) -> Result<PassTime, GpuError> {
         let clear_depth = target.formats().clear_depth();
         let (color, depth) = match load {
             Load::Clear([r, g, b, a]) => {
@@ -47,7 +62,7 @@ impl Gpu {
             depth_ops: Some(wgpu::Operations { load: depth, store: wgpu::StoreOp::Store }),
             stencil_ops: None,
         };
-        self.submit_pass(&[Some(target.color_attachment(color))], Some(depth_attachment), record)
+        self.submit_pass(&[Some(target.color_attachment(color))], Some(depth_attachment), encode, record)
     }
 
     /// As [`draw`](Self::draw), over the colour alone, which is kept: for a [`LinePass`](crate::LinePass), which reads
@@ -60,19 +75,21 @@ impl Gpu {
         target: &Target,
         record: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Result<PassTime, GpuError> {
-        self.submit_pass(&[Some(target.color_attachment(wgpu::LoadOp::Load))], None, record)
+        self.submit_pass(&[Some(target.color_attachment(wgpu::LoadOp::Load))], None, |_| {}, record)
     }
 
     pub(crate) fn submit_pass(
         &self,
         color_attachments: &[Option<wgpu::RenderPassColorAttachment<'_>>],
         depth_stencil_attachment: Option<wgpu::RenderPassDepthStencilAttachment<'_>>,
+        encode: impl FnOnce(&mut wgpu::CommandEncoder),
         record: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Result<PassTime, GpuError> {
         let timestamps = self.timestamps.as_ref().map(lock);
         let start = Instant::now();
         let submission = self.scoped(|| {
             let mut encoder = self.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            encode(&mut encoder);
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 color_attachments,
                 depth_stencil_attachment,

@@ -108,6 +108,14 @@ impl TruthFinder {
         Ok(Truth { camera: *camera, edges, lines, polylines: polylines(mesh, &strokes) })
     }
 
+    /// All silhouette edges of a view as if nothing hid them. O(F + length of lines).
+    pub fn lines_seen_or_not(&mut self, camera: &Camera) -> TrueLines {
+        let mut loops = SilhouetteLoops::default();
+        self.oracle.extract_loops(&camera.viewpoint(), &mut loops);
+        let strokes = strokes(self.mesh.mesh(), &self.topology, &loops);
+        sample_lines(self.mesh.mesh(), &strokes, camera, |_| true)
+    }
+
     /// The visible lines of a view drawn in black on white paper.
     ///
     /// # Errors

@@ -68,8 +68,12 @@ fn every_builtin_is_what_its_table_says() {
         let found = examine(&builtin(shape.name));
         let (is_closed, is_orientable) = (shape.genus.is_some(), shape.name != "moebius");
         assert_eq!((found.is_closed, found.is_orientable), (is_closed, is_orientable), "{}", shape.name);
-        assert_eq!((found.components.len(), found.is_manifold), (1, true), "{}", shape.name);
-        if is_closed {
+        assert!(found.is_manifold, "{}", shape.name);
+        assert_eq!(found.components.len() == 1, shape.name != "machine-room", "{}", shape.name);
+        if shape.name == "machine-room" {
+            let is_solid = |part: &Component| part.genus.is_some_and(|genus| genus < 2) && part.volume > Some(0.0);
+            assert!(found.components.len() > 500 && found.components.iter().all(is_solid));
+        } else if is_closed {
             assert_eq!(found.genus, shape.genus.map(u64::from), "{}", shape.name);
             assert!(found.components[0].volume.unwrap() > 0.0, "{} is inside out", shape.name);
         } else {

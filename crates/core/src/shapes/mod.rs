@@ -14,6 +14,7 @@
 //! | [`Torus`] | yes | 1 | yes |
 //! | [`TorusKnot`], [`Gear`] | yes | 1 | |
 //! | [`Blob`]: any even number of faces up to [`MAX_FACES`] | yes | 0 | |
+//! | [`MachineRoom`]: hundreds of objects | yes | 0 and 1 | |
 //! | [`Grid`], [`MoebiusStrip`] | no | | |
 //!
 //! Cost: O(V + F), in parallel for all but the smallest shapes.
@@ -27,6 +28,7 @@ mod ellipsoid;
 mod gear;
 mod grid;
 mod lattice;
+mod machine_room;
 mod moebius;
 mod registry;
 mod revolution;
@@ -42,6 +44,7 @@ pub use cylinder::Cylinder;
 pub use ellipsoid::Ellipsoid;
 pub use gear::Gear;
 pub use grid::Grid;
+pub use machine_room::MachineRoom;
 pub use moebius::MoebiusStrip;
 pub use registry::{ArgumentKind, ArgumentSpec, BUILTINS, Builtin, MAX_FACES, ShapeError, by_name, contour_by_name};
 pub use sphere::Sphere;

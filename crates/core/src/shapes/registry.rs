@@ -1,7 +1,7 @@
 //! The table of built-in shapes: names, arguments with ranges and defaults, and the parser of `NAME[:ARG[,ARG…]]`.
 
 use super::contour::AnalyticContour;
-use super::{blob, cone, cuboid, cylinder, ellipsoid, gear, grid, moebius, sphere, torus, torus_knot};
+use super::{blob, cone, cuboid, cylinder, ellipsoid, gear, grid, machine_room, moebius, sphere, torus, torus_knot};
 use crate::mesh::TriangleMesh;
 use std::fmt;
 
@@ -21,6 +21,7 @@ pub const BUILTINS: &[&Builtin] = &[
     &torus_knot::TORUS_KNOT,
     &gear::GEAR,
     &blob::BLOB,
+    &machine_room::MACHINE_ROOM,
     &grid::GRID,
     &moebius::MOEBIUS,
 ];
@@ -37,7 +38,8 @@ pub struct Builtin {
     pub summary: &'static str,
     /// Arguments in their order; trailing ones may be left out.
     pub arguments: &'static [ArgumentSpec],
-    /// Genus where the shape is closed, `None` where it has a boundary.
+    /// Genus where the shape is closed, of its components where it has several (each at least this); `None` where it has a
+    /// boundary.
     pub genus: Option<u32>,
     /// Meshes the shape for one value per argument.
     pub(super) build: fn(&[f64]) -> Result<TriangleMesh, ShapeError>,

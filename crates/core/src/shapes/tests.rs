@@ -18,6 +18,7 @@ fn names_and_arguments_are_read() {
     assert_eq!(by_name("knot:3,4,80,7"), TorusKnot { p: 3, q: 4, ..TorusKnot::default() }.mesh(80, 7));
     assert_eq!(by_name("gear:5"), Gear { teeth: 5, ..Gear::default() }.mesh());
     assert_eq!(by_name("blob:1001"), Blob::default().mesh(1002));
+    assert_eq!(by_name("machine-room:7"), MachineRoom { around: 7 }.mesh());
     assert_eq!(by_name("grid:2,3"), Grid::default().mesh(2, 3));
     assert_eq!(by_name("moebius:12,2"), MoebiusStrip::default().mesh(12, 2));
 }
@@ -37,6 +38,7 @@ fn defaults_of_structs_and_table_agree() {
     assert_eq!(by_name("knot"), TorusKnot::default().mesh(360, 16));
     assert_eq!(by_name("gear"), Gear::default().mesh());
     assert_eq!(by_name("blob"), Blob::default().mesh(20_000));
+    assert_eq!(by_name("machine-room"), MachineRoom::default().mesh());
     assert_eq!(by_name("grid"), Grid::default().mesh(16, 16));
     assert_eq!(by_name("moebius"), MoebiusStrip::default().mesh(64, 8));
     assert_eq!(by_name("cylinder"), Cylinder::default().mesh(64));
@@ -118,7 +120,7 @@ fn faces_are_front_where_the_surface_is() {
 
 #[test]
 fn meshes_do_not_depend_on_the_number_of_threads() {
-    let names = ["icosphere:4", "uv-sphere", "torus", "blob:30000", "knot"];
+    let names = ["icosphere:4", "uv-sphere", "torus", "blob:30000", "knot", "machine-room:8"];
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| names.map(|name| by_name(name).unwrap()))

@@ -5,6 +5,7 @@ use super::paper::{BUNNY, model_of};
 use super::path::{CIRCLE, STEP_DEG};
 use super::table::{COLUMNS, cells, counted_ranges, describe};
 use super::timed::ROUNDS;
+use crate::reproduce::PAGE_STYLE;
 use minijinja::{Environment, Value, context};
 
 /// Name of the template; its ending makes the engine escape values for HTML.
@@ -34,6 +35,7 @@ pub fn render(reproduction: &Reproduction, chart: &str) -> Result<String, miniji
         columns => columns.collect::<Vec<_>>(),
         meshes => reproduction.meshes.iter().map(section).collect::<Vec<_>>(),
         chart => Value::from_safe_string(chart.to_owned()),
+        style => Value::from_safe_string(PAGE_STYLE.to_owned()),
     })
 }
 

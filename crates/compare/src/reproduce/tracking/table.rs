@@ -3,17 +3,8 @@
 use super::measure::{MeshResult, Reproduction, VariantResult};
 use super::paper::model_of;
 use super::path::STEP_DEG;
+use crate::reproduce::Column;
 use std::io::{self, Write};
-
-/// A column: its head, its unit, what it tells.
-pub struct Column {
-    /// Its head.
-    pub title: &'static str,
-    /// Unit; empty for a ratio.
-    pub unit: &'static str,
-    /// What it tells.
-    pub meaning: &'static str,
-}
 
 /// The columns behind the variant's name.
 pub const COLUMNS: [Column; 8] = [

@@ -16,7 +16,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// How reproductions are known.
-const REPRODUCTION: DirectoryKind = DirectoryKind { noun: "reproduction", marker: "silhouettes-reproduction.json" };
+pub(in crate::reproduce) const REPRODUCTION: DirectoryKind =
+    DirectoryKind { noun: "reproduction", marker: "silhouettes-reproduction.json" };
 
 /// Why a reproduction could not be written.
 #[derive(Debug, thiserror::Error)]

@@ -1,48 +1,17 @@
-//! What the method draws, on whatever adapter there is.
-#![cfg(feature = "gpu")]
+//! What the paper's z-scaled variant draws, on whatever adapter there is.
 
-use silhouette_core::glam::{DVec3, Vec3};
+use crate::scene::{self, count, framed, ink, torus};
+use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::TriangleMesh;
-use silhouette_core::method::{Method, OptionValues};
-use silhouette_core::prepared::PreparedMesh;
-use silhouette_core::progress::NoProgress;
-use silhouette_core::shapes::{Cuboid, Sphere, Torus};
-use silhouette_core::view::{Camera, DepthDirection, Framing, Projection};
-use silhouette_gpu::{DrawsLines, LineRenderer, TargetFormats};
-use silhouette_image_precision::{ImagePrecision, back_faces};
-use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target, testing::gpu_or_skip};
-use std::sync::Arc;
+use silhouette_core::shapes::{Cuboid, Sphere};
+use silhouette_core::view::{Camera, DepthDirection, Projection};
+use silhouette_gpu::TargetFormats;
+use silhouette_image_precision::scale;
+use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, testing::gpu_or_skip};
 
-/// Grey paper, so that white front faces, black back faces and nothing at all can be told apart.
-const PAPER: [f64; 4] = [0.5, 0.5, 0.5, 1.0];
-
+/// The paper's z-scaled variant with these options.
 fn draw(gpu: &Gpu, mesh: &TriangleMesh, camera: &Camera, words: &[&str], formats: TargetFormats) -> Image {
-    let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
-    let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
-    let method = ImagePrecision::prepare(&prepared, &options, &NoProgress).unwrap();
-    let mut renderer = gpu.scoped(|| method.renderer(gpu.device(), gpu.queue(), formats)).unwrap().unwrap();
-    let target = Target::new(gpu, camera.size(), formats).unwrap();
-    renderer.prepare(gpu.device(), gpu.queue(), camera);
-    gpu.draw(&target, Load::Clear(PAPER), |pass| renderer.draw(pass)).unwrap();
-    target.read_color(gpu).unwrap()
-}
-
-fn count(image: &Image, matches: impl Fn(u8) -> bool) -> usize {
-    image.rgba.chunks_exact(4).filter(|pixel| matches(pixel[0])).count()
-}
-
-fn ink(image: &Image) -> usize {
-    count(image, |value| value == 0)
-}
-
-fn framed(mesh: &TriangleMesh, size: u32) -> Camera {
-    let bounds = mesh.bounds().unwrap();
-    let framing = Framing::Perspective { fov_y_rad: 0.7 };
-    Camera::framing(&bounds, DVec3::new(0.55, 0.35, 1.0), Vec3::Y, framing, [size; 2]).unwrap()
-}
-
-fn torus() -> TriangleMesh {
-    Torus::default().mesh(96, 48).unwrap()
+    scene::draw(gpu, mesh, camera, &[&["variant=scale"], words].concat(), formats).image
 }
 
 #[test]
@@ -76,7 +45,7 @@ fn the_rim_of_a_sphere_is_as_wide_as_the_law_says() {
     for scale in [0.95_f64, 0.9, 0.85] {
         let pull = (1.0 - scale) * 4.0;
         // The strip's area in an image: its width times its middle's length.
-        let width = back_faces::rim_width(pull, 1.0);
+        let width = scale::rim_width(pull, 1.0);
         let expected = std::f64::consts::TAU * (1.0 - 0.5 * width) * width * px * px;
         let drawn = ink(&draw(gpu, &mesh, &camera, &[&format!("scale={scale}")], DEFAULT_FORMATS)) as f64;
         assert!((drawn / expected - 1.0).abs() < 0.05, "{scale}: {drawn} px of ink, expected {expected:.0}");

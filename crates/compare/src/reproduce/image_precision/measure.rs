@@ -1,0 +1,328 @@
+//! Every variant of every mesh: pictures scored, frames timed.
+
+use super::picture::{Score, score};
+use super::predicted;
+use super::timed::{FrameTimes, Plain, time};
+use super::variants::{UNORIENTED, VARIANTS, Variant};
+use crate::drawing::{DrawError, Drawing, FrameStyle};
+use crate::machine::{describe_machine, describe_program};
+use crate::metrics::{Ink, TruePen};
+use crate::record::Profile;
+use crate::registry::{self, UnknownMethod};
+use crate::runner::NamedMesh;
+use crate::truth::pen::{TruthError, TruthFinder};
+use glam::DVec3;
+use silhouette_core::method::{OptionError, PrepareError};
+use silhouette_core::shapes::{ShapeError, Sphere};
+use silhouette_core::view::{Camera, Framing, ViewError, ViewPreset};
+use silhouette_core::{PreparedMesh, Progress, Projection, TriangleMesh};
+use silhouette_gpu::PenPlacement;
+use silhouette_render::{Cull, DEFAULT_SUPERSAMPLING, Gpu};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::sync::Arc;
+
+/// Why nothing was measured.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReproduceError {
+    /// A mesh has no triangle.
+    #[error("{mesh}: the mesh has no triangle, so it has no silhouette")]
+    EmptyMesh {
+        /// Its name.
+        mesh: String,
+    },
+    /// A picture could not be drawn.
+    #[error("{mesh}: {source}")]
+    Draw {
+        /// The mesh.
+        mesh: String,
+        /// Why.
+        source: DrawError,
+    },
+    /// The truth could not be found.
+    #[error("{mesh}: {source}")]
+    Truth {
+        /// The mesh.
+        mesh: String,
+        /// Why.
+        source: TruthError,
+    },
+    /// A built-in shape could not be made.
+    #[error(transparent)]
+    Shape(#[from] ShapeError),
+    /// A camera could not be made.
+    #[error(transparent)]
+    View(#[from] ViewError),
+    /// The registry lacks the method.
+    #[error(transparent)]
+    Method(#[from] UnknownMethod),
+    /// A variant's options do not fit.
+    #[error(transparent)]
+    Option(#[from] OptionError),
+}
+
+/// What was measured, and where.
+#[derive(Debug, Clone)]
+pub struct Reproduction {
+    /// How much was measured.
+    pub profile: Profile,
+    /// Adapter and driver.
+    pub adapter: String,
+    /// The machine in one line.
+    pub machine: String,
+    /// The program in one line.
+    pub program: String,
+    /// One a mesh: those named, and the spheres.
+    pub meshes: Vec<MeshResult>,
+}
+
+/// What was measured on one mesh.
+#[derive(Debug, Clone)]
+pub struct MeshResult {
+    /// Its name.
+    pub name: String,
+    /// Its faces.
+    pub faces: usize,
+    /// Length of its visible lines in pixels, and how many pixels a side the picture has.
+    pub visible_px: f64,
+    /// Side of the picture in pixels.
+    pub size_px: u32,
+    /// Level of the icosphere that it is, for meshes beside whose widths predictions stand.
+    pub sphere_level: Option<u32>,
+    /// Frame times; `None` for spheres, which are not timed.
+    pub times: Option<FrameTimes>,
+    /// One a variant, in their order.
+    pub variants: Vec<VariantResult>,
+    /// The soup of the same triangles with every other one turned, drawn by [`UNORIENTED`].
+    pub shuffled: Vec<VariantResult>,
+}
+
+/// What was measured of one variant on one mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct VariantResult {
+    /// The variant.
+    pub variant: Variant,
+    /// Its picture's score.
+    pub score: Score,
+}
+
+/// Rounds of timing.
+fn rounds(profile: Profile) -> u32 {
+    match profile {
+        Profile::Quick => 5,
+        Profile::Full => 15,
+    }
+}
+
+/// Draws every variant of every mesh, and of icospheres of four levels. Half a minute a mesh of a hundred thousand faces
+/// with [`Profile::Quick`] in software.
+///
+/// # Errors
+/// [`ReproduceError`].
+pub fn run(
+    profile: Profile,
+    meshes: &[NamedMesh],
+    gpu: &Gpu,
+    progress: &dyn Progress,
+) -> Result<Reproduction, ReproduceError> {
+    let mut results = Vec::new();
+    for NamedMesh { name, mesh } in meshes {
+        let bounds = mesh.mesh().bounds().ok_or_else(|| ReproduceError::EmptyMesh { mesh: name.clone() })?;
+        let (direction, up) = ViewPreset::default().directions();
+        let framing = Framing::Perspective { fov_y_rad: 0.7 };
+        let camera = Camera::framing(&bounds, direction, up, framing, profile.size())?;
+        results.push(measure_mesh(name, mesh, gpu, &camera, None, rounds(profile), progress)?);
+    }
+    for (level, ..) in predicted::FATTENED {
+        let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
+        let direction = DVec3::new(0.55, 0.35, 1.0).normalize() * predicted::DISTANCE;
+        let projection = Projection::Perspective { fov_y_rad: predicted::FOV_Y_RAD };
+        let size = [predicted::SIZE_PX; 2];
+        let camera = Camera::new(direction.as_vec3(), glam::Vec3::ZERO, glam::Vec3::Y, projection, size)?;
+        let name = format!("icosphere:{level}");
+        results.push(measure_mesh(&name, &mesh, gpu, &camera, Some(level), 0, progress)?);
+    }
+    let adapter = gpu.adapter().to_string();
+    Ok(Reproduction { profile, adapter, machine: describe_machine(), program: describe_program(), meshes: results })
+}
+
+fn measure_mesh(
+    name: &str,
+    mesh: &Arc<PreparedMesh>,
+    gpu: &Gpu,
+    camera: &Camera,
+    sphere_level: Option<u32>,
+    rounds: u32,
+    progress: &dyn Progress,
+) -> Result<MeshResult, ReproduceError> {
+    let draw_error = |source| ReproduceError::Draw { mesh: name.to_owned(), source };
+    let truth_error = |source| ReproduceError::Truth { mesh: name.to_owned(), source };
+    let style = FrameStyle { size: camera.size(), pen_width_px: crate::runner::DEFAULT_PEN_WIDTH_PX, samples: 1 };
+    progress.stage(&format!("{name}: pictures"), (1 + VARIANTS.len() + UNORIENTED.len()) as u64);
+    let mut finder = TruthFinder::new(gpu, mesh, DEFAULT_SUPERSAMPLING, progress).map_err(truth_error)?;
+    let truth = finder.find(gpu, camera).map_err(truth_error)?;
+    let all_lines = finder.lines_seen_or_not(camera);
+    progress.advance(1);
+
+    let entry = registry::find("image-precision")?;
+    let drawing = |mesh: &Arc<PreparedMesh>, variant: &Variant| -> Result<Drawing, ReproduceError> {
+        let prepared = entry.prepare(mesh, &variant.options()?, progress).map_err(|e| draw_error(e.into()))?;
+        Drawing::new(gpu, mesh, prepared, style).map_err(draw_error)
+    };
+    let mut true_pens: HashMap<PenPlacement, Ink> = HashMap::new();
+    let mut scored = |drawing: &mut Drawing, variant: Variant| -> Result<VariantResult, ReproduceError> {
+        drawing.draw(gpu, camera).map_err(draw_error)?;
+        let ink = Ink::from_picture(&drawing.picture(gpu).map_err(draw_error)?);
+        let pen = drawing.pen();
+        let picture = match true_pens.entry(pen.placement) {
+            Entry::Occupied(drawn) => drawn.into_mut(),
+            Entry::Vacant(wanted) => {
+                wanted.insert(Ink::from_picture(&finder.draw(gpu, &truth, pen).map_err(truth_error)?))
+            }
+        };
+        let pen = TruePen { picture, width_px: pen.width_px };
+        progress.advance(1);
+        Ok(VariantResult { variant, score: score(&ink, &truth.lines, &all_lines, pen) })
+    };
+    let mut drawings = VARIANTS.iter().map(|variant| drawing(mesh, variant)).collect::<Result<Vec<_>, _>>()?;
+    let variants = drawings
+        .iter_mut()
+        .zip(VARIANTS)
+        .map(|(drawing, variant)| scored(drawing, variant))
+        .collect::<Result<Vec<_>, _>>()?;
+    let soup = Arc::new(PreparedMesh::new(turned_soup(mesh.mesh())));
+    let shuffled = UNORIENTED
+        .into_iter()
+        .map(|variant| scored(&mut drawing(&soup, &variant)?, variant))
+        .collect::<Result<Vec<_>, _>>()?;
+
+    let mut times = None;
+    if rounds > 0 {
+        progress.stage(&format!("{name}: time"), u64::from(rounds) + 1);
+        let plain = [Cull::None, Cull::Back].map(|cull| Plain::new(gpu, mesh, style, cull));
+        let [plain, culled] = plain;
+        let plain = [&plain.map_err(draw_error)?, &culled.map_err(draw_error)?];
+        times = Some(time(gpu, camera, plain, &mut drawings, rounds, progress).map_err(draw_error)?);
+    }
+    Ok(MeshResult {
+        name: name.to_owned(),
+        faces: mesh.mesh().face_count(),
+        visible_px: truth.lines.total_length_px(),
+        size_px: camera.size()[0],
+        sphere_level,
+        times,
+        variants,
+        shuffled,
+    })
+}
+
+/// The triangles without shared vertices, every other one turned inside out.
+fn turned_soup(mesh: &TriangleMesh) -> TriangleMesh {
+    let positions = mesh.triangles().iter().flatten().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+    let turned = |face: u32| {
+        let [a, b, c] = [3 * face, 3 * face + 1, 3 * face + 2];
+        if face.is_multiple_of(2) { [a, b, c] } else { [a, c, b] }
+    };
+    // A mesh has fewer than 2^32 corners, by validation, so that a soup of its triangles is valid.
+    let triangles = (0..mesh.face_count() as u32).map(turned).collect();
+    TriangleMesh::new(positions, triangles).expect("a soup of a valid mesh is valid")
+}
+
+impl ReproduceError {
+    /// Whether the mesh is at fault, not the run.
+    pub fn is_of_input(&self) -> bool {
+        matches!(self, Self::EmptyMesh { .. } | Self::Draw { source: DrawError::Prepare(PrepareError::Mesh(_)), .. })
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use silhouette_core::NoProgress;
+    use silhouette_core::shapes::by_name;
+    use silhouette_render::testing::gpu_or_skip;
+    use std::sync::OnceLock;
+
+    /// A small reproduction, measured once for all tests; `None` where there is no adapter.
+    pub fn reproduction() -> Option<&'static Reproduction> {
+        static MEASURED: OnceLock<Option<Reproduction>> = OnceLock::new();
+        let measured = MEASURED.get_or_init(|| {
+            let gpu = gpu_or_skip("image_precision::reproduction")?;
+            let mesh = Arc::new(PreparedMesh::new(by_name("blob:5672").unwrap()));
+            let meshes = [NamedMesh { name: "builtin:blob:5672".to_owned(), mesh }];
+            Some(run(Profile::Quick, &meshes, gpu, &NoProgress).unwrap())
+        });
+        measured.as_ref()
+    }
+
+    fn of<'a>(mesh: &'a MeshResult, label: &str) -> &'a Score {
+        &mesh.variants.iter().find(|result| result.variant.label == label).unwrap().score
+    }
+
+    #[test]
+    fn variants_draw_what_the_geometry_and_earlier_experiments_predict() {
+        let Some(reproduction) = reproduction() else { return };
+        let spheres = reproduction.meshes.iter().filter_map(|mesh| Some((mesh.sphere_level?, mesh)));
+        for (level, mesh) in spheres {
+            let screen = of(mesh, "screen");
+            assert!((1.95..2.1).contains(&screen.metrics.width_mean_px), "{level}: {screen:?}");
+            assert!(screen.metrics.missed_1px + screen.stray + screen.metrics.gaps_per_1000px < 1e-12, "{screen:?}");
+            for nothing in ["equal", "far plane closer"] {
+                assert!(of(mesh, nothing).metrics.missed_1px > 0.999, "{nothing}");
+            }
+            let fat = of(mesh, "fatten, as printed");
+            let (_, mean, farthest) = predicted::FATTENED.into_iter().find(|row| row.0 == level).unwrap();
+            let same_mean = (fat.ink_over_length_px / mean - 1.0).abs() < 0.15;
+            assert!(same_mean && fat.farthest_px > 0.5 * farthest, "{level}: {fat:?}");
+        }
+        let finest = reproduction.meshes.iter().find(|mesh| mesh.sphere_level == Some(5)).unwrap();
+        let scaled = of(finest, "scale 0.95").ink_over_length_px;
+        assert!((scaled / predicted::scaled_width_px(0.95) - 1.0).abs() < 0.15, "{scaled}");
+    }
+
+    /// Files of scanned, modelled and engineered meshes, all closed.
+    const REAL: [&str; 6] =
+        ["stanford-bunny.obj", "armadillo.obj", "rocker-arm.obj", "fandisk.obj", "spot.obj", "homer.obj"];
+
+    #[test]
+    fn screen_draws_the_true_lines_of_real_meshes() {
+        let Some(folder) = std::env::var_os("SILHOUETTES_MODELS") else { return };
+        let Some(gpu) = gpu_or_skip("screen_draws_the_true_lines_of_real_meshes") else { return };
+        let entry = registry::find("image-precision").unwrap();
+        for name in REAL {
+            let path = std::path::Path::new(&folder).join(name);
+            let mesh = Arc::new(PreparedMesh::new(silhouette_core::load::load(&path).unwrap()));
+            let (direction, up) = ViewPreset::default().directions();
+            let framing = Framing::Perspective { fov_y_rad: 0.7 };
+            let bounds = mesh.mesh().bounds().unwrap();
+            let camera = Camera::framing(&bounds, direction, up, framing, [1024; 2]).unwrap();
+            let mut finder = TruthFinder::new(gpu, &mesh, DEFAULT_SUPERSAMPLING, &NoProgress).unwrap();
+            let truth = finder.find(gpu, &camera).unwrap();
+            let all_lines = finder.lines_seen_or_not(&camera);
+            for samples in [1, 4] {
+                let prepared = entry.prepare(&mesh, &VARIANTS[0].options().unwrap(), &NoProgress).unwrap();
+                let style = FrameStyle { size: camera.size(), pen_width_px: 2.0, samples };
+                let mut drawing = Drawing::new(gpu, &mesh, prepared, style).unwrap();
+                drawing.draw(gpu, &camera).unwrap();
+                let ink = Ink::from_picture(&drawing.picture(gpu).unwrap());
+                let pen = drawing.pen();
+                let picture = Ink::from_picture(&finder.draw(gpu, &truth, pen).unwrap());
+                let pen = TruePen { picture: &picture, width_px: pen.width_px };
+                let Score { metrics, stray, .. } = score(&ink, &truth.lines, &all_lines, pen);
+                assert!(metrics.missed_1px <= 0.005 && metrics.gaps_per_1000px < 1e-12, "{name}: {metrics:?}");
+                assert!(metrics.spurious_1px <= 0.01 && stray <= 0.01, "{name}: {stray} {metrics:?}");
+                let steady = if samples == 4 { 0.25 } else { 0.4 };
+                assert!(metrics.width_deviation_px <= steady, "{name}, {samples} samples: {metrics:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_soup_of_turned_triangles_is_still_drawn() {
+        let Some(reproduction) = reproduction() else { return };
+        let mesh = &reproduction.meshes[0];
+        let (soup, scaled) = (mesh.shuffled[0].score, of(mesh, "scale 0.99"));
+        assert!((soup.ink_over_length_px / scaled.ink_over_length_px - 1.0).abs() < 0.3, "{soup:?} {scaled:?}");
+    }
+}

@@ -1,0 +1,139 @@
+//! Lists the edges of back faces on the adapter, those between two back faces left out. Stage:
+//! `shaders/image_precision/back_edges.wgsl`.
+
+use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
+use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
+use silhouette_shaders::image_precision::BACK_EDGES;
+
+/// Which faces' edges are listed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Listed {
+    /// Every edge of every back face, once for each.
+    EveryEdge,
+    /// Edges that one back face has.
+    Unshared,
+    /// Edges that one face behind the first layer has.
+    UnsharedLater,
+}
+
+/// A list of edges that is made anew for each view, without the CPU.
+#[derive(Debug)]
+pub(crate) struct BackEdges {
+    faces: u32,
+    slots: u32,
+    table: wgpu::Buffer,
+    arguments: wgpu::Buffer,
+    filling: wgpu::BindGroup,
+    drawing: wgpu::BindGroup,
+    add: wgpu::ComputePipeline,
+    list: wgpu::ComputePipeline,
+}
+
+/// Layout of the list for the stage that draws it.
+pub(crate) fn drawing_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("lines to draw"),
+        entries: &[storage_entry(0, true)],
+    })
+}
+
+/// Arguments of an indirect draw whose vertices stages count: one instance of none so far.
+pub(crate) fn draw_arguments(device: &wgpu::Device, queue: &wgpu::Queue) -> Result<wgpu::Buffer, MeshTooLarge> {
+    let arguments = storage_buffer(device, "arguments of the draw", 16, wgpu::BufferUsages::INDIRECT)?;
+    queue.write_buffer(&arguments, 0, bytemuck::bytes_of(&[0_u32, 1, 0, 0]));
+    Ok(arguments)
+}
+
+impl BackEdges {
+    /// `first_layer` holds a number a face where faces behind the first layer are asked for.
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        faces: u32,
+        listed: Listed,
+        first_layer: Option<&wgpu::Buffer>,
+    ) -> Result<Self, MeshTooLarge> {
+        let slots = if listed == Listed::EveryEdge { 1 } else { slots(faces) };
+        let none = wgpu::BufferUsages::empty();
+        let table = storage_buffer(device, "edge table", 4 * u64::from(slots), none)?;
+        let list = storage_buffer(device, "edges of back faces", 12 * u64::from(faces), none)?;
+        let arguments = draw_arguments(device, queue)?;
+        let filling_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("listing of edges"),
+            entries: &[
+                storage_entry(0, false),
+                storage_entry(1, false),
+                storage_entry(2, false),
+                storage_entry(3, true),
+            ],
+        });
+        let nothing = storage_buffer(device, "no first layer", 4, none)?;
+        let filling = [&table, &list, &arguments, first_layer.unwrap_or(&nothing)];
+        let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
+        let layouts = [Some(&camera), Some(&mesh), Some(&filling_layout)];
+        let add = if listed == Listed::UnsharedLater { "add_later_layers" } else { "add_back_faces" };
+        Ok(Self {
+            faces,
+            slots,
+            filling: buffers_group(device, "listing of edges", &filling_layout, &filling),
+            drawing: buffers_group(device, "lines to draw", &drawing_layout(device), &[&list]),
+            add: compute(device, BACK_EDGES, add, &layouts),
+            list: compute(device, BACK_EDGES, "list_unshared", &layouts),
+            table,
+            arguments,
+        })
+    }
+
+    /// Number of faces.
+    pub fn faces(&self) -> u32 {
+        self.faces
+    }
+
+    /// What the stages expect as `slot_mask`.
+    pub fn slot_mask(&self) -> u32 {
+        self.slots - 1
+    }
+
+    /// Makes the list for the view whose uniforms are bound.
+    pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
+        encoder.clear_buffer(&self.table, 0, None);
+        encoder.clear_buffer(&self.arguments, 0, Some(4));
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_bind_group(0, camera.bind_group(), &[]);
+        pass.set_bind_group(1, mesh.bind_group(), &[]);
+        pass.set_bind_group(2, &self.filling, &[]);
+        pass.set_pipeline(&self.add);
+        let [x, y] = groups(self.faces);
+        pass.dispatch_workgroups(x, y, 1);
+        if self.slots > 1 {
+            pass.set_pipeline(&self.list);
+            let [x, y] = groups(self.slots);
+            pass.dispatch_workgroups(x, y, 1);
+        }
+    }
+
+    /// Draws the list with the pipeline that is set.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(2, &self.drawing, &[]);
+        pass.draw_indirect(&self.arguments, 0);
+    }
+}
+
+/// Slots of the table: a power of two, at least four thirds of the half-edges that there can be.
+fn slots(faces: u32) -> u32 {
+    let half_edges = faces.saturating_mul(3);
+    (half_edges / 3 * 4).clamp(2, 1 << 31).next_power_of_two()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_has_room_for_every_half_edge() {
+        for faces in [0, 1, 5, 1000, 1_000_000, 20_000_000] {
+            let slots = slots(faces);
+            assert!(slots.is_power_of_two() && slots >= 2 && u64::from(slots) * 3 >= u64::from(faces) * 4);
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! [`LineWidth`]: how wide lines are, in the unit that the user thinks in.
+
+use silhouette_core::mesh::Bounds;
+use silhouette_core::view::{Camera, Projection};
+
+const MM_PER_INCH: f64 = 25.4;
+
+/// Unit of a line's width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum WidthUnit {
+    /// Pixels of the viewport.
+    Pixels,
+    /// Units of world space, across the view at the depth of the line: farther lines are thinner.
+    World,
+    /// Millimetres of paper.
+    Millimetres {
+        /// Pixels an inch.
+        dpi: f64,
+    },
+    /// Hundredths of the viewport's height.
+    HeightPercent,
+}
+
+/// How wide lines are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineWidth {
+    /// The width, 0 or more.
+    pub value: f64,
+    /// Its unit.
+    pub unit: WidthUnit,
+    /// Distance of the mesh's middle from the eye, in radii of its bounding sphere, beyond which lines thin in
+    /// proportion to it (the paper's remedy against clutter); `None` keeps the width.
+    pub thins_beyond_radii: Option<f64>,
+}
+
+/// A width as a function of depth: `constant_px + px_at_depth_1 / depth`, depth in world units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WidthOverDepth {
+    /// Pixels at every depth.
+    pub constant_px: f64,
+    /// Pixels at depth 1 that fall with depth; 0 in an orthographic view.
+    pub px_at_depth_1: f64,
+}
+
+impl WidthOverDepth {
+    /// The width at a depth, in pixels.
+    pub fn px_at(&self, depth: f64) -> f64 {
+        self.constant_px + self.px_at_depth_1 / depth
+    }
+}
+
+impl LineWidth {
+    /// What the width comes to in a view of a mesh with these bounds.
+    pub fn over_depth(&self, camera: &Camera, bounds: &Bounds) -> WidthOverDepth {
+        let height_px = f64::from(camera.size()[1]);
+        let value = self.value * self.clutter_factor(camera, bounds);
+        let constant = |constant_px| WidthOverDepth { constant_px, px_at_depth_1: 0.0 };
+        match self.unit {
+            WidthUnit::Pixels => constant(value),
+            WidthUnit::Millimetres { dpi } => constant(value * dpi / MM_PER_INCH),
+            WidthUnit::HeightPercent => constant(value * 0.01 * height_px),
+            WidthUnit::World => {
+                let px = value * camera.pixels_per_unit(1.0);
+                match camera.projection() {
+                    Projection::Perspective { .. } => WidthOverDepth { constant_px: 0.0, px_at_depth_1: px },
+                    Projection::Orthographic { .. } => constant(px),
+                }
+            }
+        }
+    }
+
+    fn clutter_factor(&self, camera: &Camera, bounds: &Bounds) -> f64 {
+        let Some(radii) = self.thins_beyond_radii else { return 1.0 };
+        let distance = camera.eye().as_dvec3().distance(bounds.center);
+        (radii * bounds.radius / distance).min(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::glam::{DVec3, Vec3};
+
+    fn camera(projection: Projection) -> Camera {
+        Camera::new(Vec3::Z * 4.0, Vec3::ZERO, Vec3::Y, projection, [300, 200]).unwrap()
+    }
+
+    fn bounds() -> Bounds {
+        Bounds { min: DVec3::NEG_ONE, max: DVec3::ONE, center: DVec3::ZERO, radius: 1.0 }
+    }
+
+    fn px(value: f64, unit: WidthUnit, projection: Projection, depth: f64) -> f64 {
+        let width = LineWidth { value, unit, thins_beyond_radii: None };
+        width.over_depth(&camera(projection), &bounds()).px_at(depth)
+    }
+
+    #[test]
+    fn every_unit_comes_to_its_pixels() {
+        let perspective = Projection::Perspective { fov_y_rad: 2.0 * 1.0_f64.atan() };
+        let orthographic = Projection::Orthographic { height: 4.0 };
+        for projection in [perspective, orthographic] {
+            assert!((px(2.5, WidthUnit::Pixels, projection, 3.0) - 2.5).abs() < 1e-12);
+            assert!((px(2.54, WidthUnit::Millimetres { dpi: 300.0 }, projection, 3.0) - 30.0).abs() < 1e-9);
+            assert!((px(1.5, WidthUnit::HeightPercent, projection, 3.0) - 3.0).abs() < 1e-12);
+        }
+        // With a field of view of 90 degrees, half of the height is a unit at depth 1.
+        assert!((px(0.1, WidthUnit::World, perspective, 4.0) - 2.5).abs() < 1e-12);
+        assert!((px(0.1, WidthUnit::World, orthographic, 4.0) - 5.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn lines_thin_beyond_the_clutter_distance_and_not_before() {
+        let projection = Projection::Perspective { fov_y_rad: 0.8 };
+        for (radii, factor) in [(2.0, 0.5), (4.0, 1.0), (9.0, 1.0)] {
+            let width = LineWidth { value: 2.0, unit: WidthUnit::Pixels, thins_beyond_radii: Some(radii) };
+            assert!((width.over_depth(&camera(projection), &bounds()).constant_px - 2.0 * factor).abs() < 1e-12);
+        }
+    }
+}

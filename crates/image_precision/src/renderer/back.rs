@@ -1,0 +1,170 @@
+//! [`Back`]: step 3 by variant.
+
+use crate::back_edges::{self, BackEdges, Listed};
+use crate::fatten_list::FatPolygons;
+use crate::first_layer::FirstLayer;
+use crate::method::ImagePrecision;
+use crate::offset;
+use crate::settings::Variant;
+use crate::stage::Stage;
+use crate::style::StyleUniform;
+use silhouette_gpu::{CameraBinding, MeshBinding, MeshBuffers, RendererError, TargetFormats};
+use silhouette_shaders::image_precision::{BACK_FACES, SCREEN};
+
+/// What draws back faces.
+#[derive(Debug)]
+pub(super) enum Back {
+    /// The faces themselves, pulled by the matrix or by polygon offset, or as the adapter's own lines.
+    Faces(wgpu::RenderPipeline),
+    /// Their edges as lines.
+    Edges { list: BackEdges, pipeline: wgpu::RenderPipeline },
+    /// Their fattened polygons.
+    Fat(FatPolygons),
+    /// Whatever lies behind the first layer.
+    Later(Box<FirstLayer>),
+}
+
+impl Back {
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        method: &ImagePrecision,
+        buffers: &MeshBuffers,
+        formats: TargetFormats,
+    ) -> Result<Self, RendererError> {
+        let variant = method.settings().variant;
+        let faces = buffers.face_count();
+        let edges = |listed| -> Result<Self, RendererError> {
+            let list = BackEdges::new(device, queue, faces, listed, None)?;
+            Ok(Self::Edges { list, pipeline: line_pipeline(device, formats, "line_of_edge") })
+        };
+        match variant {
+            Variant::Screen => edges(Listed::Unshared),
+            Variant::Wireframe { polygon_mode: false } => edges(Listed::EveryEdge),
+            Variant::Wireframe { polygon_mode: true } => {
+                if !device.features().contains(wgpu::Features::POLYGON_MODE_LINE) {
+                    return Err(RendererError::MissingFeature {
+                        what: "wireframe-lines=polygon-mode",
+                        feature: "POLYGON_MODE_LINE",
+                        instead: "use wireframe-lines=quads, which needs none",
+                    });
+                }
+                Ok(Self::Faces(faces_pipeline(device, formats, variant)))
+            }
+            Variant::Fatten { .. } | Variant::Charcoal { .. } => {
+                let is_charcoal = matches!(variant, Variant::Charcoal { .. });
+                Ok(Self::Fat(FatPolygons::new(device, queue, faces, method.polygons(), is_charcoal, formats)?))
+            }
+            Variant::Unoriented { k } => {
+                let layer = FirstLayer::new(device, queue, faces, k.is_some(), formats)?;
+                Ok(Self::Later(Box::new(layer)))
+            }
+            Variant::Equal
+            | Variant::FixedPull { .. }
+            | Variant::Scale { .. }
+            | Variant::DepthRange { .. }
+            | Variant::Offset { .. } => Ok(Self::Faces(faces_pipeline(device, formats, variant))),
+        }
+    }
+
+    /// Corners of the polygons, where they are not the triangles.
+    pub fn corners(&self) -> Option<&wgpu::Buffer> {
+        if let Self::Fat(fat) = self { fat.corners() } else { None }
+    }
+
+    /// Fills in what the mesh and the tables decide of the uniform.
+    pub fn complete(&self, style: &mut StyleUniform) {
+        match self {
+            Self::Faces(_) => {}
+            Self::Edges { list, .. } => {
+                style.faces = list.faces();
+                style.slot_mask = list.slot_mask();
+            }
+            Self::Fat(fat) => {
+                style.faces = fat.count();
+                style.polygon_corners = fat.polygon_corners();
+            }
+            Self::Later(layer) => {
+                style.faces = layer.faces();
+                style.slot_mask = layer.slot_mask();
+            }
+        }
+    }
+
+    /// Makes room for a viewport of this size.
+    pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
+        if let Self::Later(layer) = self {
+            layer.resize(device, size);
+        }
+    }
+
+    pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
+        match self {
+            Self::Faces(_) => {}
+            Self::Edges { list, .. } => list.encode(encoder, camera, mesh),
+            Self::Fat(fat) => fat.encode(encoder, camera, mesh),
+            Self::Later(layer) => layer.encode(encoder, camera, mesh),
+        }
+    }
+
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, buffers: &MeshBuffers, mesh: Option<&MeshBinding>) {
+        if let Self::Faces(pipeline) = self {
+            pass.set_pipeline(pipeline);
+            buffers.draw(pass);
+            return;
+        }
+        let Some(mesh) = mesh else { return };
+        pass.set_bind_group(1, mesh.bind_group(), &[]);
+        match self {
+            Self::Faces(_) => {}
+            Self::Edges { list, pipeline } => {
+                pass.set_pipeline(pipeline);
+                list.draw(pass);
+            }
+            Self::Fat(fat) => fat.draw(pass),
+            Self::Later(layer) => layer.draw(pass),
+        }
+    }
+}
+
+/// Back faces themselves.
+fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, variant: Variant) -> wgpu::RenderPipeline {
+    let compare = if variant == Variant::Equal { wgpu::CompareFunction::Equal } else { formats.nearer_or_equal() };
+    let mut depth = formats.depth_state(compare);
+    if let Variant::Offset { slope, constant, clamp } = variant {
+        depth.bias = offset::bias(formats, slope, constant, clamp);
+    }
+    let is_lines = matches!(variant, Variant::Wireframe { .. });
+    Stage {
+        label: "image precision: back faces",
+        wgsl: BACK_FACES,
+        vertex: "back_vertex",
+        fragment: "back_fragment",
+        is_indexed: true,
+        culled: Some(wgpu::Face::Front),
+        polygon_mode: if is_lines { wgpu::PolygonMode::Line } else { wgpu::PolygonMode::Fill },
+        depth,
+    }
+    .build(device, &[Some(&CameraBinding::layout(device))], formats.color, formats.samples)
+}
+
+/// Lines as quads; `vertex` tells what the list holds.
+pub(crate) fn line_pipeline(
+    device: &wgpu::Device,
+    formats: TargetFormats,
+    vertex: &'static str,
+) -> wgpu::RenderPipeline {
+    let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
+    let list = back_edges::drawing_layout(device);
+    Stage {
+        label: "image precision: lines",
+        wgsl: SCREEN,
+        vertex,
+        fragment: "line_fragment",
+        is_indexed: false,
+        culled: None,
+        polygon_mode: wgpu::PolygonMode::Fill,
+        depth: formats.depth_state(formats.nearer_or_equal()),
+    }
+    .build(device, &[Some(&camera), Some(&mesh), Some(&list)], formats.color, formats.samples)
+}

@@ -1,0 +1,65 @@
+//! Ours: edges of back faces expanded in the image plane, as wide as asked for everywhere.
+//!
+//! 1. `back_edges.wgsl` classifies every face once and counts, for each edge of a back face, the back faces that have it.
+//!    Edges are known by the positions of their ends, so that a soup without shared vertices is served as well. An edge
+//!    counted twice lies between back faces and cannot be a silhouette edge; the others are listed.
+//! 2. `screen.wgsl` draws each listed edge as a quad beside the projected edge, outwards of its face, and a fan around
+//!    either end that rounds corners. The edge is clipped at the near plane first. Depth is that of the edge, so that front
+//!    faces before it hide it and it covers what lies behind.
+//!
+//! Fattening in the polygon's plane, as the paper does, slides along the edge and makes spikes
+//! ([`fatten`](crate::fatten)); moving the edge in the image does not.
+//!
+//! Counting needs no preparation and no adjacency: it is O(F) on the adapter in every frame. Without it (a full table's
+//! neighbourhood) an edge is merely drawn behind front faces that hide it. Of an edge between four faces both back
+//! ones cancel, so that objects that share an edge may lack it.
+
+use std::f64::consts::FRAC_PI_2;
+
+/// Most that a rounded corner may fall short of its arc or reach beyond it, in pixels.
+const ROUNDING_PX: f64 = 0.2;
+
+/// Most triangles of a fan.
+const MAX_FAN: u32 = 16;
+
+/// How the end of a line is rounded.
+///
+/// The quad's outer corners reach beyond its ends, so that lines which turn a little meet without a fan; the fan goes on
+/// from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rounding {
+    /// How far outer corners reach beyond the end of the line, over its width.
+    pub corner: f64,
+    /// Triangles of the fan around the end, 1 to 16.
+    pub fan: u32,
+}
+
+/// The rounding of a line whose ends are arcs of `width_px` as their radius: as few triangles as keep it within a fifth of
+/// a pixel of the arcs. One-sided lines are rounded by a quarter of a turn, centred ones by half a turn.
+pub fn rounding(width_px: f64, is_centred: bool) -> Rounding {
+    let reach = (width_px / (width_px + ROUNDING_PX)).acos();
+    let corners = if is_centred { 2.0 } else { 1.0 };
+    let sweep = corners * (FRAC_PI_2 - reach);
+    // The chord next to a corner begins as far outside of the arc as it may end inside.
+    let sagitta = |count: u32| width_px * (1.0 - (0.5 * sweep / f64::from(count)).cos());
+    let fan = (1..MAX_FAN).find(|&count| sagitta(count) <= 2.0 * ROUNDING_PX).unwrap_or(MAX_FAN);
+    Rounding { corner: reach.tan(), fan }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wider_lines_take_more_triangles_and_reach_less() {
+        let counts = [0.5, 2.0, 5.0, 20.0].map(|width_px| rounding(width_px, false).fan);
+        assert_eq!(counts, [1, 1, 2, 4]);
+        assert!(rounding(2.0, true).fan > 1 && rounding(1e9, true).fan == 16);
+        for width_px in [0.5, 2.0, 20.0, 1000.0] {
+            let Rounding { corner, .. } = rounding(width_px, false);
+            let beyond = width_px * corner.hypot(1.0) - width_px;
+            assert!((beyond - ROUNDING_PX).abs() < 1e-6, "{width_px}: {beyond}");
+        }
+        assert!(rounding(0.0, false).corner.is_finite());
+    }
+}

@@ -1,0 +1,6 @@
+//! What the method draws, on whatever adapter there is.
+#![cfg(feature = "gpu")]
+
+mod scaled;
+mod scene;
+mod variants;

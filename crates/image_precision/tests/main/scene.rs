@@ -1,0 +1,79 @@
+//! Meshes, cameras and pictures that the tests share.
+
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::mesh::TriangleMesh;
+use silhouette_core::method::{Method, OptionValues};
+use silhouette_core::prepared::PreparedMesh;
+use silhouette_core::progress::NoProgress;
+use silhouette_core::shapes::Torus;
+use silhouette_core::view::{Camera, ClipRange, Framing, Projection};
+use silhouette_gpu::{DrawsLines, LineRenderer, TargetFormats};
+use silhouette_image_precision::{ImagePrecision, Renderer};
+use silhouette_render::{Gpu, Image, Load, Target};
+use std::sync::Arc;
+
+/// Grey paper, so that white front faces, black ink and nothing at all can be told apart.
+const PAPER: [f64; 4] = [0.5, 0.5, 0.5, 1.0];
+
+pub struct Drawn {
+    pub image: Image,
+    pub warning: Option<String>,
+}
+
+pub fn draw(gpu: &Gpu, mesh: &TriangleMesh, camera: &Camera, words: &[&str], formats: TargetFormats) -> Drawn {
+    draw_within(gpu, mesh, camera, words, formats, None)
+}
+
+pub fn draw_within(
+    gpu: &Gpu,
+    mesh: &TriangleMesh,
+    camera: &Camera,
+    words: &[&str],
+    formats: TargetFormats,
+    range: Option<ClipRange>,
+) -> Drawn {
+    let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
+    let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
+    let method = ImagePrecision::prepare(&prepared, &options, &NoProgress).unwrap();
+    let mut renderer = gpu.scoped(|| method.renderer(gpu.device(), gpu.queue(), formats)).unwrap().unwrap();
+    renderer.set_clip_range(range);
+    renderer.prepare(gpu.device(), gpu.queue(), camera);
+    Drawn { image: draw_with(gpu, &renderer, camera.size(), formats), warning: renderer.warning() }
+}
+
+pub fn draw_with(gpu: &Gpu, renderer: &Renderer, size: [u32; 2], formats: TargetFormats) -> Image {
+    let target = Target::new(gpu, size, formats).unwrap();
+    let encode = |encoder: &mut _| renderer.encode(encoder);
+    gpu.draw_after(&target, Load::Clear(PAPER), encode, |pass| renderer.draw(pass)).unwrap();
+    target.read_color(gpu).unwrap()
+}
+
+pub fn count(image: &Image, matches: impl Fn(u8) -> bool) -> usize {
+    image.rgba.chunks_exact(4).filter(|pixel| matches(pixel[0])).count()
+}
+
+pub fn ink(image: &Image) -> usize {
+    count(image, |value| value == 0)
+}
+
+pub fn framed(mesh: &TriangleMesh, size: u32) -> Camera {
+    let bounds = mesh.bounds().unwrap();
+    let framing = Framing::Perspective { fov_y_rad: 0.7 };
+    Camera::framing(&bounds, DVec3::new(0.55, 0.35, 1.0), Vec3::Y, framing, [size; 2]).unwrap()
+}
+
+pub fn torus() -> TriangleMesh {
+    Torus::default().mesh(96, 48).unwrap()
+}
+
+/// A unit sphere from 3 radii at 512 x 512 pixels.
+pub fn sphere_camera() -> Camera {
+    let eye = (DVec3::new(0.55, 0.35, 1.0).normalize() * 3.0).as_vec3();
+    let projection = Projection::Perspective { fov_y_rad: std::f64::consts::FRAC_PI_4 };
+    Camera::new(eye, Vec3::ZERO, Vec3::Y, projection, [512; 2]).unwrap()
+}
+
+/// Radius of its outline in pixels.
+pub fn sphere_radius_px() -> f64 {
+    sphere_camera().pixels_per_unit(1.0) / 8.0_f64.sqrt()
+}

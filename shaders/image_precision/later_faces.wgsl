@@ -1,0 +1,14 @@
+// Faces behind the first layer, pulled as back faces are. Twin: crates/image_precision/src/unoriented.rs
+
+@group(2) @binding(0) var<storage, read> listed: array<u32>;
+
+@vertex
+fn later_vertex(@builtin(vertex_index) index: u32) -> @invariant @builtin(position) vec4<f32> {
+    let position = corner_position(3u * listed[index / 3u] + index % 3u);
+    return style.back_to_clip * vec4<f32>(position, 1.0);
+}
+
+@fragment
+fn later_fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return faded_ink(1.0 / position.w);
+}

@@ -1,0 +1,29 @@
+// Section 4 of Raskar and Cohen 1999, polygons without orientation. Twin: crates/image_precision/src/unoriented.rs
+//
+// The nearest layer: every face drawn as its number, the numbers that are seen marked. All other faces are then drawn as
+// back faces are.
+
+@group(2) @binding(0) var<storage, read_write> first_layer: array<u32>;
+@group(2) @binding(2) var<storage, read_write> listed: array<u32>;
+@group(2) @binding(3) var<storage, read_write> arguments: array<atomic<u32>>;
+
+@compute @workgroup_size(8, 8)
+fn mark_seen(@builtin(global_invocation_id) id: vec3<u32>) {
+    let size = textureDimensions(seen);
+    if id.x < size.x && id.y < size.y {
+        for (var sample = 0u; sample < samples(); sample++) {
+            let number = pack4x8unorm(sample_at(vec2<i32>(id.xy), sample));
+            if number != 0u {
+                first_layer[number - 1u] = 1u;
+            }
+        }
+    }
+}
+
+@compute @workgroup_size(64)
+fn list_later_faces(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let face = id.x + id.y * groups.x * 64u;
+    if face < style.faces && first_layer[face] == 0u {
+        listed[atomicAdd(&arguments[0], 3u) / 3u] = face;
+    }
+}

@@ -1,0 +1,8 @@
+// Facing of a triangle, decided once from its plane: above 0 front, below 0 back.
+
+fn front_volume(face: u32) -> f32 {
+    let a = corner_position(3u * face);
+    let b = corner_position(3u * face + 1u);
+    let c = corner_position(3u * face + 2u);
+    return dot(cross(b - a, c - a), towards_viewer(a));
+}

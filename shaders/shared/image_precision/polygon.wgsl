@@ -1,0 +1,32 @@
+// A convex polygon: its corners' middle and its normal.
+
+struct Polygon {
+    first: u32,
+    size: u32,
+    middle: vec3<f32>,
+    // Twice its area long (Newell's).
+    normal: vec3<f32>,
+}
+
+// First corner of a polygon, and of the one after it. Triangles lie one after another; others have their starts in a table.
+fn corner_range(index: u32) -> vec2<u32> {
+    if style.polygon_corners != 0u {
+        return vec2<u32>(index, index + 1u) * style.polygon_corners;
+    }
+    return vec2<u32>(starts[index], starts[index + 1u]);
+}
+
+fn polygon(range: vec2<u32>) -> Polygon {
+    let size = range.y - range.x;
+    var sum = vec3<f32>(0.0);
+    var normal = vec3<f32>(0.0);
+    let origin = corner_position(range.x);
+    var last = corner_position(range.y - 1u) - origin;
+    for (var corner = range.x; corner < range.y; corner++) {
+        let p = corner_position(corner) - origin;
+        sum += p;
+        normal += cross(last, p);
+        last = p;
+    }
+    return Polygon(range.x, size, origin + sum / f32(size), normal);
+}

@@ -1,0 +1,72 @@
+// What every stage knows of the lines. Twin: crates/image_precision/src/style.rs
+
+struct StyleUniform {
+    // Recentred mesh space to clip space, as back faces are pulled.
+    back_to_clip: mat4x4<f32>,
+    // The eye with w = 1, or the unit direction towards the viewer with w = 0; recentred mesh space.
+    eye: vec4<f32>,
+    // Unit viewing axis, away from the viewer; w: pixels that a unit covers at depth 1 (in orthographic views, at all).
+    axis: vec4<f32>,
+    ink: vec4<f32>,
+    // What a line covers beside its edge, outwards, in pixels: from x + z / w to y + w / w at a clip-space w.
+    span: vec4<f32>,
+    viewport_px: vec2<f32>,
+    // Unit direction in the image towards the light, times the share by which lines that face it are thinned.
+    light: vec2<f32>,
+    // Depths, as clip-space w, between which ink fades, and the share that it has lost at the far one.
+    fade: vec3<f32>,
+    // Nearest w that a line is drawn at.
+    near_w: f32,
+    // Fattening is at most this many edge lengths.
+    clamp_edges: f32,
+    // Front faces with V.N below this are fattened too; 0: none.
+    band: f32,
+    // Fattening: 0 exact, 1 as printed, 2 as printed without the sine.
+    law: u32,
+    // 0 solid, 1 dashes, 2 stipple.
+    texture: u32,
+    // Number of faces, or polygons.
+    faces: u32,
+    // Slots of the edge table less one; the table's size is a power of two. 0: every edge is drawn.
+    slot_mask: u32,
+    // Corners of every polygon, or 0: as the starts tell.
+    polygon_corners: u32,
+    // Towards the viewer in units of the depth buffer, for lines that lie on front faces.
+    lift: f32,
+    // Triangles of the fan around either end of a line; 0: none, lines end bluntly.
+    fan: u32,
+    // Outer corners of a line reach beyond its ends by this share of the width; the fans go on from there.
+    corner: f32,
+    _pad: vec2<u32>,
+}
+
+@group(0) @binding(1) var<uniform> style: StyleUniform;
+
+// Vertices of a line: a quad, and a fan around either end.
+fn vertices_per_line() -> u32 {
+    return 6u + 6u * style.fan;
+}
+
+// From a point towards the viewer; not normalised.
+fn towards_viewer(p: vec3<f32>) -> vec3<f32> {
+    return style.eye.xyz - p * style.eye.w;
+}
+
+// Whether a way in the image is nearer to level than to upright.
+fn is_level(way: vec2<f32>) -> u32 {
+    return u32(abs(way.x) > abs(way.y));
+}
+
+// Whether a texture leaves this place of a line blank. Dashes run with the axis of the image that the line is nearer to, so
+// that they do not begin anew at each edge.
+fn is_blank(level: u32, pixel: vec2<f32>) -> bool {
+    let along = select(pixel.y, pixel.x, level != 0u);
+    let cell = vec2<u32>(pixel) / 2u;
+    return (style.texture == 1u && fract(along / 12.0) > 0.6) || (style.texture == 2u && (cell.x + cell.y) % 2u == 1u);
+}
+
+// Ink at a depth, given as clip-space w.
+fn faded_ink(w: f32) -> vec4<f32> {
+    let share = clamp((w - style.fade.x) / max(style.fade.y - style.fade.x, 1e-30), 0.0, 1.0) * style.fade.z;
+    return vec4<f32>(mix(style.ink.rgb, vec3<f32>(1.0), share), 1.0);
+}
