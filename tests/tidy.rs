@@ -10,8 +10,13 @@ const METHOD_CRATES: [&str; 3] = ["silhouette-extraction", "silhouette-image-pre
 /// Crates that may always depend on wgpu. Method crates may behind their `gpu` feature.
 const GPU_CRATES: [&str; 2] = ["silhouette-gpu", "silhouette-render"];
 /// Crates that must build without wgpu and without a C++ compiler once default features are off.
-const LEAN_CRATES: [&str; 4] =
-    ["silhouette-core", "silhouette-extraction", "silhouette-image-precision", "silhouette-tracking"];
+const LEAN_CRATES: [&str; 5] = [
+    "silhouette-core",
+    "silhouette-extraction",
+    "silhouette-image-precision",
+    "silhouette-tracking",
+    "silhouette-visibility",
+];
 
 const MAX_RUST_LINES: usize = 600;
 const MAX_WGSL_LINES: usize = 150;
