@@ -12,6 +12,12 @@ pub mod layout;
 pub mod render {
     /// Filled triangles: flat, lit, or depth alone.
     pub const FILL: &str = concat!(include_str!("../shared/camera.wgsl"), include_str!("../render/fill.wgsl"));
+    /// The id of the face that is nearest.
+    pub const FACE_IDS: &str = concat!(
+        include_str!("../shared/camera.wgsl"),
+        include_str!("../shared/mesh.wgsl"),
+        include_str!("../render/face_ids.wgsl")
+    );
     /// Strokes of single segments.
     pub const LINE_SEGMENTS: &str =
         concat!(include_str!("../shared/line_visibility.wgsl"), include_str!("../render/line_segments.wgsl"));
@@ -72,8 +78,9 @@ pub mod image_precision {
 }
 
 /// Every stage with its path below the crate's folder.
-pub const ALL: [(&str, &str); 15] = [
+pub const ALL: [(&str, &str); 16] = [
     ("render/fill.wgsl", render::FILL),
+    ("render/face_ids.wgsl", render::FACE_IDS),
     ("render/line_segments.wgsl", render::LINE_SEGMENTS),
     ("render/line_joins.wgsl", render::LINE_JOINS),
     ("render/depth_readback.wgsl", render::DEPTH_READBACK),

@@ -135,3 +135,19 @@ fn an_eye_inside_of_a_mesh_is_no_failure() {
     let svg = stdout(&["lines", "builtin:cube", "--eye", "0,0,0", "--all-edges"]);
     assert!(svg.ends_with("</svg>\n"));
 }
+
+/// On a cube nothing is finer than a pixel: the same six silhouette edges, or a line that says that there is no adapter.
+#[test]
+fn the_quick_mode_finds_a_cubes_outline() {
+    let run = |options: &[&str]| Command::new(env!("CARGO_BIN_EXE_silhouettes")).args(options).output().unwrap();
+    let output = run(&["lines", "builtin:cube", "--quick"]);
+    if output.status.success() {
+        let svg = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(layers(&svg).len(), layers(&stdout(&["lines", "builtin:cube"])).len());
+    } else {
+        assert!(std::env::var_os("SILHOUETTES_GPU").is_none_or(|value| value != "require"), "{output:?}");
+        assert_eq!(output.status.code(), Some(1));
+    }
+    let refused = run(&["lines", "builtin:cube", "--quick", "--hidden"]);
+    assert_eq!(refused.status.code(), Some(2));
+}

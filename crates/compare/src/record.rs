@@ -157,8 +157,6 @@ pub struct TruthRecord {
     pub silhouette_edges: usize,
     /// Length of the visible silhouette in pixels.
     pub visible_length_px: f64,
-    /// Samples a pixel along each axis at which visibility was decided and the true pen was drawn.
-    pub supersampling: u32,
 }
 
 /// Silhouette edges found, against those that there are.
@@ -254,7 +252,7 @@ pub(crate) mod tests {
                 ortho_height: None,
             },
             pen: PenRecord { width_px: 2.0, placement: "centred".to_owned() },
-            truth: TruthRecord { silhouette_edges: 4, visible_length_px: 20.0, supersampling: 4 },
+            truth: TruthRecord { silhouette_edges: 4, visible_length_px: 20.0 },
             edges: Some(EdgeScore { found: 4, precision: 1.0, recall: 1.0 }),
             metrics: LineMetrics { chamfer_px, width_mean_px: 2.0, ..LineMetrics::default() },
             prepare: PrepareCost { prepare_ms: 1.0, renderer_ms: 2.0, bytes: 300 },

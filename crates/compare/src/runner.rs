@@ -15,12 +15,13 @@ use crate::machine::RunDescription;
 use crate::record::{Profile, Record};
 use crate::registry::{self, Entry};
 use crate::scaling::ExtractionRow;
-use crate::truth::pen::TruthError;
+use crate::truth::TruthError;
 use bench::Bench;
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::view::{Framing, ViewError};
 use silhouette_core::{Cancelled, PreparedMesh, Progress};
-use silhouette_render::{DEFAULT_SUPERSAMPLING, Gpu, Image};
+use silhouette_render::{Gpu, Image};
+use silhouette_visibility::LineError;
 use std::sync::Arc;
 
 /// A method with the options it is compared with.
@@ -43,8 +44,6 @@ pub struct CompareConfig {
     pub framing: Framing,
     /// Width in pixels of the pen that edges are drawn with, and of the true pen.
     pub pen_width_px: f64,
-    /// Samples a pixel along each axis at which the truth is decided and drawn.
-    pub supersampling: u32,
 }
 
 /// Default pen: wide enough that coverage, not aliasing, decides what is ink.
@@ -60,7 +59,6 @@ impl CompareConfig {
             profile,
             framing: Framing::Perspective { fov_y_rad: 45.0_f64.to_radians() },
             pen_width_px: DEFAULT_PEN_WIDTH_PX,
-            supersampling: DEFAULT_SUPERSAMPLING,
         }
     }
 }
@@ -131,7 +129,8 @@ impl CompareError {
     /// Names the mesh; a cancellation stays one, however deep it happened.
     fn truth(mesh: &str, source: TruthError) -> Self {
         match source {
-            TruthError::Prepare(PrepareError::Cancelled(cancelled)) => Self::Cancelled(cancelled),
+            TruthError::Prepare(PrepareError::Cancelled(cancelled))
+            | TruthError::Lines(LineError::Cancelled(cancelled)) => Self::Cancelled(cancelled),
             source => Self::Truth { mesh: mesh.to_owned(), source },
         }
     }

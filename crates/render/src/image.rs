@@ -24,6 +24,17 @@ pub struct DepthImage {
     pub values: Vec<f32>,
 }
 
+/// Whole numbers, row by row from the top.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct IdImage {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// `width * height` values.
+    pub values: Vec<u32>,
+}
+
 /// An image could not be written.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {source}", path.display())]

@@ -4,6 +4,7 @@
 //! 2. [`Target`]: colour and depth textures; a pass drawn into them is submitted and waited for by [`Gpu::draw`].
 //!    [`Image`] and [`DepthImage`] are read back from it.
 //! 3. [`FillPass`]: the mesh itself, flat, lit, or depth alone.
+//!    [`FaceIdPass`]: which face is nearest at each pixel.
 //! 4. [`LinePass`]: polylines as strokes of exact pixel width, hidden where the mesh is in front.
 //! 5. [`ReferenceRenderer`]: fill and lines at n x n samples a pixel, in tiles, for any size; and the depth of all
 //!    samples as a [`ReferenceDepth`], which answers visibility on the CPU as the lines' shader does on the GPU.
@@ -13,6 +14,7 @@
 
 mod adapter;
 mod error;
+mod face_ids;
 mod fill;
 mod gpu;
 mod image;
@@ -28,9 +30,10 @@ mod timestamps;
 
 pub use adapter::{AdapterChoice, AdapterDescription};
 pub use error::GpuError;
+pub use face_ids::FaceIdPass;
 pub use fill::{Cull, FillPass, FillStyle, Shade};
 pub use gpu::{DEFAULT_MEMORY_BUDGET, Gpu};
-pub use image::{DepthImage, Image, ImageError};
+pub use image::{DepthImage, IdImage, Image, ImageError};
 pub use lines::line_visibility::{DepthScale, SceneDepth};
 pub use lines::{Cap, Hidden, Join, LinePass, LineStyle, Polylines, ScreenSegment};
 pub use pass_view::{PassView, Tile};

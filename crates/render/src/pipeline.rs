@@ -1,12 +1,15 @@
 //! What the render pipelines of this crate have in common, written once.
 
-/// A pipeline as far as it differs from the others: one WGSL text, one bind group at index 0.
+/// A pipeline as far as it differs from the others: one WGSL text, one bind group at index 0, the mesh
+/// at index 1 where a stage pulls it.
 pub(crate) struct Stage<'a> {
     pub label: &'a str,
     pub wgsl: &'a str,
     pub vertex: &'a str,
     pub fragment: &'a str,
     pub buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+    /// Bind group at index 1, for stages that pull the mesh.
+    pub mesh: Option<&'a wgpu::BindGroupLayout>,
     pub topology: wgpu::PrimitiveTopology,
     pub cull_mode: Option<wgpu::Face>,
     pub depth: Option<wgpu::DepthStencilState>,
@@ -24,6 +27,7 @@ impl Default for Stage<'_> {
             vertex: "full_screen",
             fragment: "",
             buffers: &[],
+            mesh: None,
             topology: wgpu::PrimitiveTopology::TriangleList,
             cull_mode: None,
             depth: None,
@@ -42,7 +46,7 @@ impl Stage<'_> {
         });
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(self.label),
-            bind_group_layouts: &[Some(bindings)],
+            bind_group_layouts: &[Some(bindings), self.mesh][..1 + usize::from(self.mesh.is_some())],
             immediate_size: 0,
         });
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {

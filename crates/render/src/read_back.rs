@@ -2,7 +2,7 @@
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::image::{DepthImage, Image};
+use crate::image::{DepthImage, IdImage, Image};
 use crate::pipeline::{Stage, depth_texture_entry};
 use crate::target::Target;
 use std::sync::{Arc, Mutex};
@@ -24,6 +24,21 @@ impl Target {
         let rgba = read_texture(gpu, self.color_texture())?;
         let [width, height] = self.size();
         Ok(Image { width, height, rgba })
+    }
+
+    /// The colour of a target of whole numbers, `R32Uint`, after the last pass.
+    ///
+    /// # Errors
+    /// [`GpuError::ColorFormat`] where the colour is of another format; [`GpuError::OverBudget`]; what the device reports.
+    pub fn read_ids(&self, gpu: &Gpu) -> Result<IdImage, GpuError> {
+        let format = self.formats().color;
+        if format != wgpu::TextureFormat::R32Uint {
+            return Err(GpuError::ColorFormat(format));
+        }
+        let bytes = read_texture(gpu, self.color_texture())?;
+        let values = bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let [width, height] = self.size();
+        Ok(IdImage { width, height, values })
     }
 
     /// The values of the depth buffer after the last pass, in any depth format.

@@ -14,14 +14,13 @@ use crate::options::LineOptions;
 use crate::outline::outermost_outline;
 use crate::picture_grid::PictureGrid;
 use crate::scene::LineScene;
-use crate::select::{FeatureEdges, mesh_strokes, push_intersections};
+use crate::select::{Selector, push_intersections};
 use crate::sight::Sight;
 use crate::stroke::Stroke;
 use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
-use silhouette_core::method::{OptionValues, PrepareError};
-use silhouette_core::{Camera, Cancelled, ExtractsEdges, FaceFacings, Method, Progress, SilhouetteEdges, Topology};
-use silhouette_extraction::ClusterCones;
+use silhouette_core::method::PrepareError;
+use silhouette_core::{Camera, Cancelled, Progress, Topology};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -50,12 +49,8 @@ pub struct LineFinder {
     vertex_faces: Arc<VertexFaces>,
     /// Largest absolute coordinate.
     reach: f64,
-    facings: FaceFacings,
-    silhouette: SilhouetteEdges,
-    features: Option<(LineOptions, FeatureEdges)>,
+    selector: Selector,
     clear_edges: ClearEdges,
-    /// Finds the silhouette without looking at all faces, where many views are wanted.
-    cones: Option<ClusterCones>,
 }
 
 /// An edge that is shorter in the picture may be seen end on.
@@ -75,18 +70,15 @@ impl LineFinder {
         let (topology, tree) = (topology?, tree?);
         let (unpaired, vertex_faces) = (mesh.artefact(NAME, progress)?, mesh.artefact(NAME, progress)?);
         let edge_count = Topology::edge_count(&topology);
-        let reach = mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element());
+        let reach = scene.reach();
         Ok(Self {
             topology,
             tree,
             unpaired,
             vertex_faces,
             reach,
-            facings: FaceFacings::default(),
-            silhouette: SilhouetteEdges::default(),
-            features: None,
+            selector: Selector::default(),
             clear_edges: ClearEdges::new(edge_count),
-            cones: None,
             scene,
         })
     }
@@ -97,9 +89,8 @@ impl LineFinder {
     /// # Errors
     /// [`PrepareError`] when `progress` cancels.
     pub fn for_many_views(scene: LineScene, progress: &dyn Progress) -> Result<Self, PrepareError> {
-        let options = OptionValues::defaults(ClusterCones::INFO.options);
-        let cones = ClusterCones::prepare(scene.mesh(), &options, progress)?;
-        Ok(Self { cones: Some(cones), ..Self::new(scene, progress)? })
+        let selector = Selector::for_many_views(&scene, progress)?;
+        Ok(Self { selector, ..Self::new(scene, progress)? })
     }
 
     /// The scene.
@@ -122,21 +113,10 @@ impl LineFinder {
         progress.check()?;
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
-        if let Some(cones) = &mut self.cones {
-            cones.extract_edges(&viewpoint, &mut self.silhouette);
-        } else {
-            self.facings.classify(mesh, &viewpoint);
-            self.silhouette = SilhouetteEdges::of(&self.topology, &self.facings);
-        }
-        if self.features.as_ref().is_none_or(|(of, _)| of != options) {
-            self.features = Some((options.clone(), FeatureEdges::new(&self.scene, &self.topology, options)));
-        }
         let at_eye = faces_at_eye(mesh, &self.tree, &viewpoint);
         let finder = ContourFinder { mesh, topology: &self.topology, viewpoint, at_eye: &at_eye };
-        let contours = finder.find(&self.silhouette, &self.unpaired);
-        let no_features = FeatureEdges::default();
-        let features = self.features.as_ref().map_or(&no_features, |(_, features)| features);
-        let mut strokes = mesh_strokes(&self.scene, &finder, &self.silhouette, features, options);
+        let mut strokes = self.selector.strokes(&self.scene, &finder, options);
+        let contours = finder.find(self.selector.silhouette(), &self.unpaired);
         let frame = PictureFrame::new(camera, self.reach);
         let mut first_id = mesh.vertex_count() as u32;
         if options.intersection {

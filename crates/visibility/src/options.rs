@@ -8,6 +8,9 @@ pub struct LineOptions {
     pub silhouette: bool,
     /// Boundary edges, of front and of back faces. Default: yes.
     pub boundary: bool,
+    /// Whether boundary edges of back faces are among them: edges of a sheet seen from behind, which are no silhouette
+    /// edges. Default: yes.
+    pub back_boundary: bool,
     /// Convex edges whose faces' normals differ by at least this angle in degrees, 0 to 180. Default: none.
     pub ridge_deg: Option<f64>,
     /// Concave edges whose faces' normals differ by at least this angle in degrees, 0 to 180. Default: none.
@@ -31,6 +34,7 @@ impl Default for LineOptions {
         Self {
             silhouette: true,
             boundary: true,
+            back_boundary: true,
             ridge_deg: None,
             valley_deg: None,
             material: true,

@@ -121,6 +121,11 @@ impl LineScene {
         &self.mesh
     }
 
+    /// Largest absolute coordinate of the mesh; 0 without faces. O(V).
+    pub(crate) fn reach(&self) -> f64 {
+        self.mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element())
+    }
+
     /// Number of objects, at least 1.
     pub fn object_count(&self) -> usize {
         self.object_starts.len()

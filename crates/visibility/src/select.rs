@@ -9,18 +9,21 @@ use crate::scene::LineScene;
 use crate::stroke::{Stroke, Strokes};
 use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{EdgeId, SilhouetteEdges, Topology, TriangleMesh};
+use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::{EdgeId, ExtractsEdges, FaceFacings, Facing, Method, Progress, SilhouetteEdges};
+use silhouette_core::{Topology, TriangleMesh};
+use silhouette_extraction::ClusterCones;
 
 /// Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
 #[derive(Debug, Clone, Default)]
-pub struct FeatureEdges {
+struct FeatureEdges {
     /// Ascending by edge. Boundary edges, ridges and the rest by the view-independent kinds.
     edges: Vec<(EdgeId, LineKind)>,
 }
 
 impl FeatureEdges {
     /// The feature edges of a scene. O(E), parallel.
-    pub fn new(scene: &LineScene, topology: &Topology, options: &LineOptions) -> Self {
+    fn new(scene: &LineScene, topology: &Topology, options: &LineOptions) -> Self {
         let looks_at_all =
             options.mesh || options.ridge_deg.is_some() || options.valley_deg.is_some() || scene.labels().is_some();
         if !looks_at_all && !options.boundary {
@@ -66,8 +69,48 @@ fn kind(
     if options.material && scene.labels().is_some_and(labels_differ) { Some(LineKind::Material) } else { other }
 }
 
+/// Selects the edges of one view after another; what does not depend on the view is found once for each choice of kinds.
+#[derive(Default)]
+pub struct Selector {
+    facings: FaceFacings,
+    silhouette: SilhouetteEdges,
+    features: Option<(LineOptions, FeatureEdges)>,
+    /// Finds the silhouette without looking at all faces, where many views are wanted.
+    cones: Option<ClusterCones>,
+}
+
+impl Selector {
+    /// For many views: with a search tree over planes. O(F log F).
+    pub fn for_many_views(scene: &LineScene, progress: &dyn Progress) -> Result<Self, PrepareError> {
+        let options = OptionValues::defaults(ClusterCones::INFO.options);
+        let cones = ClusterCones::prepare(scene.mesh(), &options, progress)?;
+        Ok(Self { cones: Some(cones), ..Self::default() })
+    }
+
+    /// The strokes of a view. O(F + S), or less with a search tree; O(E) for a choice of kinds that is new.
+    pub fn strokes(&mut self, scene: &LineScene, finder: &ContourFinder<'_>, options: &LineOptions) -> Strokes {
+        let (mesh, topology, viewpoint) = (finder.mesh, finder.topology, finder.viewpoint);
+        if let Some(cones) = &mut self.cones {
+            cones.extract_edges(&viewpoint, &mut self.silhouette);
+        } else {
+            self.facings.classify(mesh, &viewpoint);
+            self.silhouette = SilhouetteEdges::of(topology, &self.facings);
+        }
+        let kept = self.features.take().filter(|(of, _)| of == options);
+        let (_, features) = self
+            .features
+            .insert(kept.unwrap_or_else(|| (options.clone(), FeatureEdges::new(scene, topology, options))));
+        mesh_strokes(scene, finder, &self.silhouette, features, options)
+    }
+
+    /// All silhouette edges of the view last selected.
+    pub fn silhouette(&self) -> &SilhouetteEdges {
+        &self.silhouette
+    }
+}
+
 /// The mesh edges drawn in a view, each once: silhouette edges before features. O(S + features).
-pub fn mesh_strokes(
+fn mesh_strokes(
     scene: &LineScene,
     finder: &ContourFinder<'_>,
     silhouette: &SilhouetteEdges,
@@ -77,7 +120,11 @@ pub fn mesh_strokes(
     let is_interior = |edge: &EdgeId| finder.topology.half_edges(*edge).len() > 1;
     let silhouette = silhouette.iter().filter(|edge| options.silhouette && is_interior(edge));
     let mut drawn: Vec<(EdgeId, LineKind)> = silhouette.map(|edge| (edge, LineKind::Silhouette)).collect();
-    drawn.extend_from_slice(&features.edges);
+    let is_wanted = |&&(edge, kind): &&(EdgeId, LineKind)| {
+        let bounds_front_face = || finder.topology.faces(edge).any(|face| finder.facing(face) == Facing::Front);
+        options.back_boundary || kind != LineKind::Boundary || bounds_front_face()
+    };
+    drawn.extend(features.edges.iter().filter(is_wanted));
     // Stable, so that the silhouette keeps an edge that is a feature as well.
     drawn.sort_by_key(|&(edge, _)| edge);
     drawn.dedup_by_key(|&mut (edge, _)| edge);

@@ -22,6 +22,11 @@ pub struct LinesArguments {
     /// Threads to work with [default: as many as the machine runs]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
+    /// Looks up what is visible in a picture of face ids, twice as fine as the view, instead of deciding it exactly: misses
+    /// less than 0.5 % of the visible length, and on fine meshes draws nearly as much again that is hidden, all but 0.2 % of
+    /// it within a pixel of a visible line; needs an adapter
+    #[arg(long, conflicts_with_all = ["hidden", "outline", "intersections"])]
+    pub quick: bool,
     /// Say on standard error what was found, how long each stage took and how far the lifted pen travels
     #[arg(long)]
     pub stats: bool,
@@ -187,6 +192,7 @@ impl LinesArguments {
         LineOptions {
             silhouette: others,
             boundary: others,
+            back_boundary: others,
             ridge_deg: which.creases.or(which.ridge).filter(|_| others),
             valley_deg: which.creases.or(which.valley).filter(|_| others),
             material: others,

@@ -1,6 +1,7 @@
 //! `silhouettes lines`: visible and hidden lines as SVG for plotters, as JSON, or as glTF.
 
 mod arguments;
+mod quick;
 mod stats;
 
 pub use arguments::LinesArguments;
@@ -54,9 +55,13 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let load = started.elapsed();
 
     let started = Instant::now();
-    let mut finder = LineFinder::new(scene, &progress)?;
-    let prepare = started.elapsed();
-    let lines = finder.find(&camera, &arguments.line_options(), &progress).map_err(of_finding)?;
+    let wanted = arguments.line_options();
+    let (prepare, lines) = if arguments.quick {
+        quick::find(&scene, &camera, &wanted, &progress)?
+    } else {
+        let mut finder = LineFinder::new(scene.clone(), &progress)?;
+        (started.elapsed(), finder.find(&camera, &wanted, &progress).map_err(of_finding)?)
+    };
 
     let mut bytes = Vec::new();
     let mut drawing = None;
@@ -66,7 +71,7 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
             tell_what_is_cut_off(drawing, &options);
             drawing.write_svg(&format!("Lines of {names}"), &mut bytes).map_err(Failure::run)?;
         }
-        Format::Json => bytes = json(&lines, &options, &finder, &meshes, &progress)?,
+        Format::Json => bytes = json(&lines, &options, &scene, &meshes, &progress)?,
         Format::Gltf(container) => {
             plot::write_gltf(&lines, &options, container, &mut bytes).map_err(Failure::run)?;
         }
@@ -90,11 +95,11 @@ fn scene_of(meshes: &[NamedMesh]) -> Result<LineScene, Failure> {
 fn json(
     lines: &Lines,
     options: &PlotOptions,
-    finder: &LineFinder,
+    scene: &LineScene,
     meshes: &[NamedMesh],
     progress: &TerminalProgress,
 ) -> Result<Vec<u8>, Failure> {
-    let topology = finder.scene().mesh().artefact::<Topology>("lines", progress)?;
+    let topology = scene.mesh().artefact::<Topology>("lines", progress)?;
     let counts = meshes.iter().map(|mesh| mesh.mesh.mesh().vertex_count() as u32);
     let firsts: Vec<u32> = counts
         .scan(0, |next, count| {

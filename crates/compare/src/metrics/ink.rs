@@ -40,6 +40,13 @@ impl Ink {
         })
     }
 
+    /// The picture of which [`from_picture`](Self::from_picture) makes this ink, up to the rounding of its bytes.
+    pub fn to_picture(&self) -> Image {
+        let gray = self.coverage.iter().map(|coverage| ((1.0 - coverage) * 255.0).round() as u8);
+        let rgba = gray.flat_map(|gray| [gray, gray, gray, 255]).collect();
+        Image { width: self.width, height: self.height, rgba }
+    }
+
     /// Width in pixels.
     pub fn width(&self) -> u32 {
         self.width
@@ -152,5 +159,6 @@ mod tests {
         let ink = Ink::from_picture(&Image { width: 3, height: 1, rgba });
         assert_eq!((ink.coverage(0, 0), ink.coverage(1, 0)), (1.0, 0.0));
         assert!(ink.is_ink(2, 0), "a byte of 127 is just darker than half");
+        assert_eq!(ink.to_picture().rgba, [[0, 0, 0, 255], [255; 4], [127, 127, 127, 255]].concat());
     }
 }

@@ -1,8 +1,8 @@
 //! Lines drawn by arithmetic, with their truth, and the ways in which the tests make a picture worse.
 
 use super::Ink;
-use crate::truth::sampling::SPACING_PX;
-use crate::truth::{TrueLines, TrueSample};
+use crate::truth::TrueLines;
+use crate::truth::visible::VisibleLine;
 use glam::DVec2;
 use silhouette_core::EdgeId;
 
@@ -33,26 +33,16 @@ pub fn square() -> Scene {
 }
 
 fn draw(polylines: &[(Vec<DVec2>, bool)]) -> Scene {
-    let mut lines = TrueLines::default();
+    let mut drawn = Vec::new();
     let mut segments = Vec::new();
     for (points, closed) in polylines {
-        let mut samples = Vec::new();
-        for pair in points.windows(2) {
-            let edge = EdgeId::from_usize(segments.len());
-            segments.push((pair[0], pair[1]));
-            let length = pair[0].distance(pair[1]);
-            let count = (length / SPACING_PX).ceil();
-            for step in 0..count as u32 {
-                samples.push(Some(TrueSample {
-                    pixel: pair[0].lerp(pair[1], (f64::from(step) + 0.5) / count),
-                    tangent: (pair[1] - pair[0]) / length,
-                    length_px: length / count,
-                    edge,
-                }));
-            }
-        }
-        lines.push_line(&samples, *closed);
+        let edges = (0..).map(|at| EdgeId::from_usize(segments.len() + at)).take(points.len() - 1).collect();
+        // The last point of a closed line repeats the first.
+        let distinct = if *closed { &points[1..] } else { &points[..] };
+        segments.extend(points.windows(2).map(|pair| (pair[0], pair[1])));
+        drawn.push(VisibleLine { points: distinct.to_vec(), edges, closed: *closed });
     }
+    let lines = TrueLines::of(&drawn);
     let distance = |p: DVec2, (a, b): (DVec2, DVec2)| {
         let share = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
         p.distance(a.lerp(b, share))

@@ -8,7 +8,7 @@ use crate::metrics::{Ink, LineMetrics, TruePen, measure};
 use crate::picture::difference;
 use crate::record::{EdgeScore, MeshRecord, PenRecord, Record, TruthRecord, ViewRecord};
 use crate::registry::Prepared;
-use crate::truth::pen::{Truth, TruthFinder};
+use crate::truth::{Truth, TruthFinder};
 use rayon::prelude::*;
 use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
@@ -27,10 +27,9 @@ pub(super) struct Bench<'a> {
     mesh: &'a NamedMesh,
     record: MeshRecord,
     animation: Vec<Camera>,
-    finder: TruthFinder,
     truths: Vec<Truth>,
-    /// Pictures of the truth, one a view, for each placement of the pen that was asked for.
-    pens: HashMap<PenPlacement, Vec<(Image, Ink)>>,
+    /// Ink of the truth, one a view, for each placement of the pen that was asked for.
+    pens: HashMap<PenPlacement, Vec<Ink>>,
 }
 
 /// The view of which the report shows pictures: every profile has a first one.
@@ -59,12 +58,12 @@ impl<'a> Bench<'a> {
         let animation = cameras(Orbit::animation(config.framing, size, profile.warm_up() + profile.frames()))?;
 
         let truth_failed = |source| CompareError::truth(&mesh.name, source);
-        let mut finder = TruthFinder::new(gpu, &mesh.mesh, config.supersampling, progress).map_err(truth_failed)?;
+        let mut finder = TruthFinder::new(&mesh.mesh, progress).map_err(truth_failed)?;
         progress.stage(&format!("{}: truth", mesh.name), views.len() as u64);
         let mut truths = Vec::with_capacity(views.len());
         for camera in &views {
             progress.check()?;
-            truths.push(finder.find(gpu, camera).map_err(truth_failed)?);
+            truths.push(finder.find(camera, progress).map_err(truth_failed)?);
             progress.advance(1);
         }
         let record = MeshRecord {
@@ -73,7 +72,7 @@ impl<'a> Bench<'a> {
             faces: mesh.mesh.mesh().face_count(),
             edges: finder.edge_count(),
         };
-        Ok(Self { config, gpu, progress, mesh, record, animation, finder, truths, pens: HashMap::new() })
+        Ok(Self { config, gpu, progress, mesh, record, animation, truths, pens: HashMap::new() })
     }
 
     /// Runs a method: its answer first, its times afterwards. One that refuses the mesh is noted as left out.
@@ -104,7 +103,7 @@ impl<'a> Bench<'a> {
         let metrics: Vec<LineMetrics> = (0..views.len())
             .into_par_iter()
             .map(|view| {
-                let pen = TruePen { picture: &true_pens[view].1, width_px: pen.width_px };
+                let pen = TruePen { picture: &true_pens[view], width_px: pen.width_px };
                 measure(&inks[view], &self.truths[view].lines, pen)
             })
             .collect();
@@ -120,7 +119,6 @@ impl<'a> Bench<'a> {
                 truth: TruthRecord {
                     silhouette_edges: truth.edges.len(),
                     visible_length_px: truth.lines.total_length_px(),
-                    supersampling: self.config.supersampling,
                 },
                 edges: views[index].edges,
                 metrics,
@@ -129,14 +127,14 @@ impl<'a> Bench<'a> {
                 run: comparison.run.clone(),
             });
         }
-        let (true_picture, true_ink) = &true_pens[PICTURED_VIEW];
+        let true_ink = &true_pens[PICTURED_VIEW];
         comparison.pictures.push(PictureSet {
             mesh,
             method: method.to_owned(),
             options: choice.options.to_string(),
             view: PICTURED_VIEW as u32,
             drawn: views[PICTURED_VIEW].picture.clone(),
-            truth: true_picture.clone(),
+            truth: true_ink.to_picture(),
             difference: difference(&inks[PICTURED_VIEW], true_ink),
         });
         Ok(())
@@ -169,10 +167,7 @@ impl<'a> Bench<'a> {
         let mut pictures = Vec::with_capacity(self.truths.len());
         for truth in &self.truths {
             self.progress.check()?;
-            let failed = |source| CompareError::truth(&self.mesh.name, source);
-            let picture = self.finder.draw(self.gpu, truth, pen).map_err(failed)?;
-            let ink = Ink::from_picture(&picture);
-            pictures.push((picture, ink));
+            pictures.push(truth.draw(pen));
         }
         self.pens.insert(pen.placement, pictures);
         Ok(())

@@ -1,21 +1,31 @@
 //! The true visible lines of a view, in pixels: what a drawn picture is measured against.
 //!
 //! 1. [`strokes`]: the exact silhouette as connected, oriented lines, each edge once.
-//! 2. [`sampling`]: each edge projected, clipped to the viewport and sampled every quarter of a pixel; each sample visible
-//!    or not.
-//! 3. [`pen`]: the strokes drawn with a method's own kind of pen by the supersampling reference renderer.
+//! 2. [`stretches`]: which stretches of its edges are visible, by the exact visible lines of `silhouette-visibility`.
+//! 3. [`visible`]: the strokes cut to these stretches.
+//! 4. [`pen`]: them drawn with a method's own kind of pen; [`coverage`]: the exact share of each pixel's area.
 //!
-//! Which edges are silhouette edges is exact. Which of their points are visible is decided by sampling a supersampled
-//! depth picture, so a sample within about a sample's width of an occluding line can be judged wrongly. Exact visible
-//! lines, computed in object space, will take this place.
+//! [`finder`] takes the steps in order. No step looks at a picture or needs a device. [`depth_buffer`] measures what a
+//! supersampled depth picture would have decided in place of step 2.
 
+pub mod coverage;
+pub mod depth_buffer;
+pub mod finder;
+pub mod nearness;
 pub mod pen;
-pub mod sampling;
+pub mod stretches;
 pub mod strokes;
+pub mod visible;
+
+pub use finder::{Truth, TruthError, TruthFinder};
 
 use glam::DVec2;
 use silhouette_core::EdgeId;
 use std::ops::Range;
+use visible::VisibleLine;
+
+/// Distance between samples along a line in the picture, at most.
+pub const SPACING_PX: f64 = 0.25;
 
 /// A point of a visible true line, standing for a short stretch around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +34,7 @@ pub struct TrueSample {
     pub pixel: DVec2,
     /// Unit direction of the line in the picture.
     pub tangent: DVec2,
-    /// Length of the stretch in pixels, at most [`SPACING_PX`](sampling::SPACING_PX).
+    /// Length of the stretch in pixels, at most [`SPACING_PX`].
     pub length_px: f64,
     /// The silhouette edge that it lies on.
     pub edge: EdgeId,
@@ -49,33 +59,39 @@ pub struct TrueLines {
 }
 
 impl TrueLines {
+    /// Samples of lines, a run each; none of a line without length. O(length in pixels + segments).
+    pub fn of(lines: &[VisibleLine]) -> Self {
+        let mut sampled = Self::default();
+        for line in lines {
+            let first = sampled.samples.len();
+            for (edge, ends) in line.segments() {
+                sampled.sample_segment(edge, ends);
+            }
+            let end = sampled.samples.len();
+            if end > first {
+                sampled.runs.push(Run { samples: first..end, closed: line.closed });
+            }
+        }
+        sampled
+    }
+
     /// Length of all visible true lines in pixels.
     pub fn total_length_px(&self) -> f64 {
         self.samples.iter().map(|sample| sample.length_px).sum()
     }
 
-    /// Appends a line, given as its samples in order with `None` where it is hidden: one run for each visible stretch. A
-    /// closed line that is hidden nowhere makes one closed run.
-    pub fn push_line(&mut self, line: &[Option<TrueSample>], closed: bool) {
-        let hidden = line.iter().position(Option::is_none);
-        // A closed line starts where it is hidden, so that no visible stretch is cut in two.
-        let start = if closed { hidden.unwrap_or(0) } else { 0 };
-        let mut first = self.samples.len();
-        for sample in line[start..].iter().chain(&line[..start]) {
-            match sample {
-                Some(sample) => self.samples.push(*sample),
-                None => first = self.end_run(first, false),
-            }
-        }
-        self.end_run(first, closed && hidden.is_none());
-    }
-
-    fn end_run(&mut self, first: usize, closed: bool) -> usize {
-        let end = self.samples.len();
-        if end > first {
-            self.runs.push(Run { samples: first..end, closed });
-        }
-        end
+    /// A segment in equal parts, a sample in the middle of each.
+    fn sample_segment(&mut self, edge: EdgeId, [from, to]: [DVec2; 2]) {
+        let length = from.distance(to);
+        // A line seen end on has no length and no direction: nothing of it is drawn.
+        let Some(tangent) = (to - from).try_normalize() else { return };
+        let count = (length / SPACING_PX).ceil().max(1.0);
+        self.samples.extend((0..count as u32).map(|part| TrueSample {
+            pixel: from.lerp(to, (f64::from(part) + 0.5) / count),
+            tangent,
+            length_px: length / count,
+            edge,
+        }));
     }
 }
 
@@ -83,33 +99,27 @@ impl TrueLines {
 mod tests {
     use super::*;
 
-    fn sample(at: u32) -> Option<TrueSample> {
-        Some(TrueSample {
-            pixel: DVec2::new(f64::from(at), 0.0),
-            tangent: DVec2::X,
-            length_px: 1.0,
-            edge: EdgeId::new(at),
-        })
+    #[test]
+    fn samples_are_spread_evenly_and_keep_the_length() {
+        let points = [(1.0, 2.0), (4.0, 6.0), (4.0, 6.0), (4.0, 6.1)].map(|(x, y)| DVec2::new(x, y)).to_vec();
+        let open = VisibleLine { points, edges: [7, 8, 9].map(EdgeId::new).to_vec(), closed: false };
+        let triangle = VisibleLine { closed: true, points: open.points[..3].to_vec(), ..open.clone() };
+        let lines = TrueLines::of(&[open, triangle]);
+        assert!((lines.total_length_px() - 5.1 - 10.0).abs() < 1e-12);
+        assert!(lines.samples.iter().all(|sample| sample.length_px <= SPACING_PX));
+        assert_eq!(
+            lines.runs.iter().map(|run| (run.samples.len(), run.closed)).collect::<Vec<_>>(),
+            [(21, false), (40, true)]
+        );
+        let jumps = lines.samples[..21].windows(2).map(|pair| pair[0].pixel.distance(pair[1].pixel));
+        assert!(jumps.fold(0.0, f64::max) <= SPACING_PX + 1e-12);
+        assert!(lines.samples[..20].iter().all(|sample| sample.tangent.distance(DVec2::new(0.6, 0.8)) < 1e-12));
+        assert_eq!((lines.samples[19].edge, lines.samples[20].edge), (EdgeId::new(7), EdgeId::new(9)));
     }
 
     #[test]
-    fn hidden_samples_part_a_line_into_runs() {
-        let mut lines = TrueLines::default();
-        lines.push_line(&[sample(0), None, sample(2), sample(3), None, None, sample(6)], false);
-        assert_eq!(lines.runs.iter().map(|run| run.samples.clone()).collect::<Vec<_>>(), [0..1, 1..3, 3..4]);
-        assert!((lines.total_length_px() - 4.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_closed_line_is_not_cut_where_it_starts() {
-        let mut lines = TrueLines::default();
-        lines.push_line(&[sample(0), None, sample(2), sample(3)], true);
-        let edges: Vec<u32> = lines.samples.iter().map(|sample| sample.edge.get()).collect();
-        assert_eq!((edges, lines.runs.len(), lines.runs[0].closed), (vec![2, 3, 0], 1, false));
-        lines.push_line(&[sample(0), sample(1)], true);
-        assert_eq!(lines.runs[1], Run { samples: 3..5, closed: true });
-        lines.push_line(&[None], true);
-        lines.push_line(&[], false);
-        assert_eq!(lines.runs.len(), 2);
+    fn a_line_seen_end_on_has_no_sample() {
+        let dot = VisibleLine { points: vec![DVec2::ONE; 2], edges: vec![EdgeId::new(0)], closed: false };
+        assert_eq!(TrueLines::of(&[dot]), TrueLines::default());
     }
 }

@@ -2,7 +2,6 @@
 
 use silhouette_core::loops::start_vertex;
 use silhouette_core::{EdgeId, HalfEdgeId, SilhouetteLoops, Topology, TriangleMesh, VertexId};
-use silhouette_render::Polylines;
 use std::collections::HashSet;
 
 /// An edge with the direction in which it is drawn.
@@ -60,21 +59,6 @@ fn segment(mesh: &TriangleMesh, topology: &Topology, half_edge: HalfEdgeId) -> S
 
 fn connects(stroke: &Stroke, next: Segment) -> bool {
     stroke.segments.last().is_some_and(|last| last.ends[1] == next.ends[0])
-}
-
-/// The strokes as the renderer takes them, in world space.
-///
-/// # Panics
-/// If the strokes are of another mesh.
-pub fn polylines(mesh: &TriangleMesh, strokes: &[Stroke]) -> Polylines {
-    let mut polylines = Polylines::default();
-    let position = |vertex: VertexId| mesh.positions()[vertex.index()].as_dvec3();
-    for Stroke { segments, closed } in strokes {
-        let starts = segments.iter().map(|segment| position(segment.ends[0]));
-        let end = segments.last().filter(|_| !closed).map(|segment| position(segment.ends[1]));
-        polylines.push(starts.chain(end), *closed);
-    }
-    polylines
 }
 
 #[cfg(test)]

@@ -10,14 +10,14 @@ use crate::metrics::{Ink, TruePen};
 use crate::record::Profile;
 use crate::registry::{self, UnknownMethod};
 use crate::runner::NamedMesh;
-use crate::truth::pen::{TruthError, TruthFinder};
+use crate::truth::{TruthError, TruthFinder};
 use glam::DVec3;
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::shapes::{ShapeError, Sphere};
 use silhouette_core::view::{Camera, Framing, ViewError, ViewPreset};
 use silhouette_core::{PreparedMesh, Progress, Projection, TriangleMesh};
 use silhouette_gpu::PenPlacement;
-use silhouette_render::{Cull, DEFAULT_SUPERSAMPLING, Gpu};
+use silhouette_render::{Cull, Gpu};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::sync::Arc;
@@ -160,9 +160,9 @@ fn measure_mesh(
     let truth_error = |source| ReproduceError::Truth { mesh: name.to_owned(), source };
     let style = FrameStyle { size: camera.size(), pen_width_px: crate::runner::DEFAULT_PEN_WIDTH_PX, samples: 1 };
     progress.stage(&format!("{name}: pictures"), (1 + VARIANTS.len() + UNORIENTED.len()) as u64);
-    let mut finder = TruthFinder::new(gpu, mesh, DEFAULT_SUPERSAMPLING, progress).map_err(truth_error)?;
-    let truth = finder.find(gpu, camera).map_err(truth_error)?;
-    let all_lines = finder.lines_seen_or_not(camera);
+    let mut finder = TruthFinder::new(mesh, progress).map_err(truth_error)?;
+    let truth = finder.find(camera, progress).map_err(truth_error)?;
+    let all_lines = finder.lines_seen_or_not(camera, progress).map_err(truth_error)?;
     progress.advance(1);
 
     let entry = registry::find("image-precision")?;
@@ -177,9 +177,7 @@ fn measure_mesh(
         let pen = drawing.pen();
         let picture = match true_pens.entry(pen.placement) {
             Entry::Occupied(drawn) => drawn.into_mut(),
-            Entry::Vacant(wanted) => {
-                wanted.insert(Ink::from_picture(&finder.draw(gpu, &truth, pen).map_err(truth_error)?))
-            }
+            Entry::Vacant(wanted) => wanted.insert(truth.draw(pen)),
         };
         let pen = TruePen { picture, width_px: pen.width_px };
         progress.advance(1);
@@ -297,9 +295,9 @@ pub(super) mod tests {
             let framing = Framing::Perspective { fov_y_rad: 0.7 };
             let bounds = mesh.mesh().bounds().unwrap();
             let camera = Camera::framing(&bounds, direction, up, framing, [1024; 2]).unwrap();
-            let mut finder = TruthFinder::new(gpu, &mesh, DEFAULT_SUPERSAMPLING, &NoProgress).unwrap();
-            let truth = finder.find(gpu, &camera).unwrap();
-            let all_lines = finder.lines_seen_or_not(&camera);
+            let mut finder = TruthFinder::new(&mesh, &NoProgress).unwrap();
+            let truth = finder.find(&camera, &NoProgress).unwrap();
+            let all_lines = finder.lines_seen_or_not(&camera, &NoProgress).unwrap();
             for samples in [1, 4] {
                 let prepared = entry.prepare(&mesh, &VARIANTS[0].options().unwrap(), &NoProgress).unwrap();
                 let style = FrameStyle { size: camera.size(), pen_width_px: 2.0, samples };
@@ -307,7 +305,7 @@ pub(super) mod tests {
                 drawing.draw(gpu, &camera).unwrap();
                 let ink = Ink::from_picture(&drawing.picture(gpu).unwrap());
                 let pen = drawing.pen();
-                let picture = Ink::from_picture(&finder.draw(gpu, &truth, pen).unwrap());
+                let picture = truth.draw(pen);
                 let pen = TruePen { picture: &picture, width_px: pen.width_px };
                 let Score { metrics, stray, .. } = score(&ink, &truth.lines, &all_lines, pen);
                 assert!(metrics.missed_1px <= 0.005 && metrics.gaps_per_1000px < 1e-12, "{name}: {metrics:?}");

@@ -59,20 +59,13 @@ fn distances(ink: &Ink, lines: &TrueLines) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::truth::TrueSample;
+    use crate::truth::visible::VisibleLine;
     use glam::DVec2;
     use silhouette_core::EdgeId;
 
     fn level_line() -> TrueLines {
-        let mut lines = TrueLines::default();
-        let sample = |at: u32| TrueSample {
-            pixel: DVec2::new(f64::from(at) * 0.25 + 4.0, 16.0),
-            tangent: DVec2::X,
-            length_px: 0.25,
-            edge: EdgeId::new(0),
-        };
-        lines.push_line(&(0..96).map(|at| Some(sample(at))).collect::<Vec<_>>(), false);
-        lines
+        let points = [4.0, 28.0].map(|x| DVec2::new(x, 16.0)).to_vec();
+        TrueLines::of(&[VisibleLine { points, edges: vec![EdgeId::new(0)], closed: false }])
     }
 
     fn score_of(is_ink: impl Fn(u32, u32) -> bool) -> Score {

@@ -194,8 +194,8 @@ fn measure_mesh(
     let times_us = time_frames(&mut fliers, &states, &frames, progress)?;
 
     let drawn: Vec<Frame> = pictured.iter().map(|&frame| measured[frame]).collect();
-    let visible = gpu.map_err(str::to_owned).and_then(|gpu| {
-        VisibleFrames::find(gpu, mesh, &path, &drawn, profile.size(), progress).map_err(|error| error.to_string())
+    let visible = gpu.map_err(str::to_owned).and_then(|_| {
+        VisibleFrames::find(mesh, &path, &drawn, profile.size(), progress).map_err(|error| error.to_string())
     });
     let medians: Vec<f64> = times_us.iter().map(|us| Spread::of(us).map_or(f64::NAN, |spread| spread.median)).collect();
     let results =

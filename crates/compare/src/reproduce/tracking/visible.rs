@@ -4,25 +4,24 @@ use super::path::{Frame, Path};
 use super::recall::Share;
 use crate::record::Profile;
 use crate::truth::TrueLines;
-use crate::truth::pen::{TruthError, TruthFinder};
+use crate::truth::{TruthError, TruthFinder};
 use silhouette_core::view::ViewError;
 use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges};
-use silhouette_render::{DEFAULT_SUPERSAMPLING, Gpu};
 use std::sync::Arc;
 
 /// Why visibility is not known.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum VisibleError {
-    /// A view cannot be drawn.
+    /// A view cannot be set up.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// The device failed, or the mesh is too large for it.
+    /// The view is too crowded to be decided, or the work was stopped.
     #[error(transparent)]
     Truth(#[from] TruthError),
 }
 
-/// The visible lines of some frames: the [truth](crate::truth), decided by depth pictures.
+/// The visible lines of some frames: the [truth](crate::truth).
 #[derive(Debug)]
 pub struct VisibleFrames {
     lines: Vec<TrueLines>,
@@ -43,17 +42,16 @@ impl VisibleFrames {
     /// # Errors
     /// [`VisibleError`].
     pub fn find(
-        gpu: &Gpu,
         mesh: &Arc<PreparedMesh>,
         path: &Path,
         frames: &[Frame],
         size: [u32; 2],
         progress: &dyn Progress,
     ) -> Result<Self, VisibleError> {
-        let mut finder = TruthFinder::new(gpu, mesh, DEFAULT_SUPERSAMPLING, progress)?;
+        let mut finder = TruthFinder::new(mesh, progress)?;
         let mut lines = Vec::with_capacity(frames.len());
         for frame in frames {
-            lines.push(finder.find(gpu, &path.camera(frame, size)?)?.lines);
+            lines.push(finder.find(&path.camera(frame, size)?, progress)?.lines);
         }
         Ok(Self { lines })
     }

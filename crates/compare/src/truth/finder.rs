@@ -1,0 +1,212 @@
+//! [`TruthFinder`]: the steps in order.
+
+use super::TrueLines;
+use super::pen;
+use super::stretches::Stretches;
+use super::strokes::strokes;
+use super::visible::{VisibleLine, visible_lines};
+use crate::metrics::Ink;
+use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::view::Camera;
+use silhouette_core::{Cancelled, ExtractsEdges, ExtractsLoops, Method, PreparedMesh, Progress};
+use silhouette_core::{SilhouetteEdges, SilhouetteLoops, Topology};
+use silhouette_extraction::BruteForce;
+use silhouette_gpu::Pen;
+use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines};
+use std::sync::Arc;
+
+/// Why there is no truth.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TruthError {
+    /// The brute-force extraction could not be prepared.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The view is too crowded to be decided, or the work was stopped.
+    #[error(transparent)]
+    Lines(#[from] LineError),
+}
+
+impl From<Cancelled> for TruthError {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Prepare(cancelled.into())
+    }
+}
+
+/// Finds the truth of any view of a mesh.
+pub struct TruthFinder {
+    mesh: Arc<PreparedMesh>,
+    topology: Arc<Topology>,
+    lines: LineFinder,
+    oracle: BruteForce,
+}
+
+/// The truth of one view.
+#[derive(Debug)]
+pub struct Truth {
+    /// The view.
+    pub camera: Camera,
+    /// All silhouette edges, visible or not.
+    pub edges: SilhouetteEdges,
+    /// The visible lines, sampled.
+    pub lines: TrueLines,
+    /// The visible lines, a front face on their left.
+    pub visible: Vec<VisibleLine>,
+}
+
+impl Truth {
+    /// The visible lines as a pen draws them. O(pixels + n log n) for n segments.
+    pub fn draw(&self, pen: Pen) -> Ink {
+        pen::draw(&self.visible, pen, self.camera.size())
+    }
+}
+
+/// The lines whose visibility the truth needs: every silhouette edge and nothing else.
+pub fn silhouette_options() -> LineOptions {
+    LineOptions { back_boundary: false, material: false, curves: false, ..LineOptions::default() }
+}
+
+/// Hands on the wish to stop, and keeps the stages of single views to itself.
+struct Quiet<'a>(&'a dyn Progress);
+
+impl Progress for Quiet<'_> {
+    fn stage(&self, _name: &str, _total: u64) {}
+    fn advance(&self, _steps: u64) {}
+    fn is_cancelled(&self) -> bool {
+        self.0.is_cancelled()
+    }
+}
+
+impl TruthFinder {
+    /// Prepares for a mesh: topology and face tree. O(F log F).
+    ///
+    /// # Errors
+    /// [`TruthError::Prepare`].
+    pub fn new(mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Self, TruthError> {
+        let options = OptionValues::defaults(BruteForce::INFO.options);
+        Ok(Self {
+            mesh: Arc::clone(mesh),
+            topology: mesh.artefact("truth", progress).map_err(PrepareError::from)?,
+            lines: LineFinder::new(LineScene::new(Arc::clone(mesh)), progress)?,
+            oracle: BruteForce::prepare(mesh, &options, progress)?,
+        })
+    }
+
+    /// Number of edges of the mesh.
+    pub fn edge_count(&self) -> usize {
+        self.topology.edge_count()
+    }
+
+    /// The truth of a view. O(F + S log S + crossings in the picture + length of lines).
+    ///
+    /// # Errors
+    /// [`TruthError::Lines`].
+    pub fn find(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Truth, TruthError> {
+        let visible = self.lines_down_to(0, camera, progress)?;
+        let mut edges = SilhouetteEdges::default();
+        self.oracle.extract_edges(&camera.viewpoint(), &mut edges);
+        Ok(Truth { camera: *camera, edges, lines: TrueLines::of(&visible), visible })
+    }
+
+    /// All silhouette edges of a view as if nothing hid them. O(as [`find`](Self::find)).
+    ///
+    /// # Errors
+    /// [`TruthError::Lines`].
+    pub fn lines_seen_or_not(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<TrueLines, TruthError> {
+        Ok(TrueLines::of(&self.lines_down_to(u32::MAX, camera, progress)?))
+    }
+
+    fn lines_down_to(
+        &mut self,
+        invisibility: u32,
+        camera: &Camera,
+        progress: &dyn Progress,
+    ) -> Result<Vec<VisibleLine>, TruthError> {
+        let options = LineOptions { max_invisibility: invisibility, ..silhouette_options() };
+        let lines = self.find_lines(camera, &options, progress)?;
+        let mut loops = SilhouetteLoops::default();
+        self.oracle.extract_loops(&camera.viewpoint(), &mut loops);
+        let mesh = self.mesh.mesh();
+        let strokes = strokes(mesh, &self.topology, &loops);
+        let stretches = Stretches::down_to(invisibility, &lines.chains, mesh, &self.topology);
+        Ok(visible_lines(mesh, &strokes, &stretches))
+    }
+
+    /// Exact lines of a view, whichever are asked for.
+    ///
+    /// # Errors
+    /// [`TruthError::Lines`].
+    pub fn find_lines(
+        &mut self,
+        camera: &Camera,
+        options: &LineOptions,
+        progress: &dyn Progress,
+    ) -> Result<Lines, TruthError> {
+        Ok(self.lines.find(camera, options, &Quiet(progress))?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::glam::{DVec3, Vec3};
+    use silhouette_core::view::Framing;
+    use silhouette_core::{NoProgress, shapes};
+    use silhouette_gpu::PenPlacement;
+
+    fn truth(shape: &str, direction: DVec3, size: u32) -> (Arc<PreparedMesh>, Truth) {
+        let mesh = Arc::new(PreparedMesh::new(shapes::by_name(shape).unwrap()));
+        let bounds = mesh.mesh().bounds().unwrap();
+        let camera = Camera::framing(&bounds, direction, Vec3::Y, Framing::Orthographic, [size; 2]).unwrap();
+        let truth = TruthFinder::new(&mesh, &NoProgress).unwrap().find(&camera, &NoProgress).unwrap();
+        (mesh, truth)
+    }
+
+    #[test]
+    fn a_cube_seen_from_a_corner_shows_its_hexagon() {
+        let (mesh, truth) = truth("cube", DVec3::new(1.0, 1.1, 0.9), 200);
+        assert_eq!((truth.edges.len(), truth.visible.len()), (6, 1));
+        let line = &truth.visible[0];
+        assert!(line.closed && line.points.len() == 6);
+        let camera = &truth.camera;
+        let topology = Topology::new(mesh.mesh());
+        let lengths = truth.edges.iter().map(|edge| {
+            let ends = topology.end_points(edge).map(|vertex| mesh.mesh().positions()[vertex.index()].as_dvec3());
+            let [a, b] = ends.map(|end| camera.project(end).unwrap().pixel);
+            a.distance(b)
+        });
+        assert!((truth.lines.total_length_px() - lengths.sum::<f64>()).abs() < 1e-9);
+        // Front faces, and with them the inside of the outline, are on the left.
+        let area: f64 = line.segments().map(|(_, [from, to])| 0.5 * from.perp_dot(to)).sum();
+        assert!(area < -1e3, "counter-clockwise as seen in the picture: {area}");
+        let outside = truth.draw(Pen { width_px: 3.0, placement: PenPlacement::Outside });
+        let middle = line.points.iter().sum::<glam::DVec2>() / 6.0;
+        let inward = line.points[0] + (middle - line.points[0]).normalize() * 2.0;
+        let outward = line.points[0] - (middle - line.points[0]).normalize() * 2.0;
+        assert!(outside.has_ink_within(outward, 0.5) && !outside.has_ink_within(inward, 0.1));
+    }
+
+    /// What lies behind is not drawn, and a line ends exactly where it disappears.
+    #[test]
+    fn a_torus_hides_a_part_of_its_own_hole() {
+        let (_, truth) = truth("torus", DVec3::new(0.0, 0.35, 1.0), 400);
+        let open: Vec<_> = truth.visible.iter().filter(|line| !line.closed).collect();
+        assert!(!open.is_empty() && open.len() < 6, "{}", open.len());
+        assert!(truth.visible.iter().any(|line| line.closed), "the outer outline");
+        let drawn: usize = truth.lines.runs.iter().map(|run| run.samples.len()).sum();
+        assert_eq!((drawn, truth.lines.runs.len()), (truth.lines.samples.len(), truth.visible.len()));
+        let edges: std::collections::BTreeSet<_> = truth.lines.samples.iter().map(|sample| sample.edge).collect();
+        assert!(edges.len() < truth.edges.len(), "some are hidden");
+        assert!(edges.iter().all(|&edge| truth.edges.contains(edge)));
+    }
+
+    /// A boundary edge is a silhouette edge where its face is a front face, and nowhere else.
+    #[test]
+    fn a_sheet_seen_from_behind_has_no_lines() {
+        let (_, front) = truth("grid", DVec3::new(0.1, 1.0, 0.2), 100);
+        let (_, back) = truth("grid", DVec3::new(0.1, -1.0, 0.2), 100);
+        let lengths = [&front, &back].map(|truth| truth.lines.total_length_px());
+        assert_eq!(lengths.iter().filter(|&&length| length > 100.0).count(), 1, "{lengths:?}");
+        assert_eq!([&front, &back].map(|truth| truth.edges.is_empty() == truth.visible.is_empty()), [true; 2]);
+    }
+}
