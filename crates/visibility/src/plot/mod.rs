@@ -1,12 +1,12 @@
 //! [`plot`]: lines become strokes on a page, and the page a file that plotters and vector editors accept.
 //!
-//! 1. [`place`](mod@place): pixels become page units, cut off at the viewport and the margins
-//! 2. [`dedupe`](mod@dedupe): what lies exactly on another line is drawn once; visible before hidden, silhouettes first
-//! 3. [`join`](mod@join): paths of a layer that touch end to end become one
-//! 4. [`merge`](mod@merge): points that lie on the line between others are dropped
-//! 5. [`drop_short`](mod@drop_short): dots are left out
-//! 6. [`dash`](mod@dash): hidden lines are cut into strokes and gaps
-//! 7. [`order`](mod@order): the lifted pen travels little
+//! 1. `place`: pixels become page units, cut off at the viewport and the margins
+//! 2. `dedupe`: what lies exactly on another line is drawn once; visible before hidden, silhouettes first
+//! 3. `join`: paths of a layer that touch end to end become one
+//! 4. `merge`: points that lie on the line between others are dropped
+//! 5. `drop_short`: dots are left out
+//! 6. `dash`: hidden lines are cut into strokes and gaps
+//! 7. `order`: the lifted pen travels little
 //!
 //! What comes out is a [`Drawing`], written by [`Drawing::write_svg`]. [`write_json`] and [`write_gltf`] write the lines
 //! themselves, before any of these steps.

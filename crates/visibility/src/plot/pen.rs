@@ -135,10 +135,10 @@ mod tests {
     fn each_kind_has_its_own_pen() {
         let mut pens = Pens::default();
         for kind in LineKind::ALL {
-            pens.of_mut(kind).width = Length::mm(kind as u8 as f64 + 1.0);
+            pens.of_mut(kind).width = Length::mm(f64::from(kind as u8) + 1.0);
         }
         for kind in LineKind::ALL {
-            assert_eq!(pens.of(kind).width, Length::mm(kind as u8 as f64 + 1.0));
+            assert_eq!(pens.of(kind).width, Length::mm(f64::from(kind as u8) + 1.0));
         }
         assert_eq!(pens.iter().count(), LineKind::ALL.len() + 1);
     }
