@@ -119,8 +119,8 @@ pub fn faces_at_eye(mesh: &TriangleMesh, tree: &FaceTree, viewpoint: &Viewpoint)
     found
 }
 
-/// Whether a point lies on a face that has an area: in its plane, and seen along some axis, not beyond any side.
-fn holds([a, b, c]: [Vec3; 3], point: Vec3) -> bool {
+/// Whether a point lies on a face that has an area: in its plane, and seen along some axis, not beyond any side. Exact.
+pub fn holds([a, b, c]: [Vec3; 3], point: Vec3) -> bool {
     orientation(a, b, c, point) == 0.0
         && [Vec3::X, Vec3::Y, Vec3::Z].into_iter().any(|axis| {
             let along = |p, q, r| turn(&Viewpoint::Orthographic { toward_viewer: axis }, p, q, r);

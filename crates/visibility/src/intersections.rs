@@ -1,15 +1,17 @@
 //! [`FaceIntersections`]: the segments in which faces pass through each other.
 //!
-//! Two faces that intersect in a segment do so because edges of one pass through the other: twice, or once if they also
-//! share a vertex. Which edges pass through which faces is decided exactly; the ends of a segment are rounded to `f32`.
+//! Two faces that intersect in a segment do so because edges of one pass through the other, or a vertex of one lies on the
+//! other, or they share a vertex: two of these make a segment. Which edges pass through which faces is decided exactly; the ends of a segment are rounded to `f32`.
 //! Faces that overlap in one plane have no line of intersection.
 
+use crate::contours::holds;
 use crate::events::passage;
 use crate::face_tree::FaceTree;
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
+use silhouette_core::orientation::orientation;
 use silhouette_core::prepared::Artefact;
-use silhouette_core::{Cancelled, EdgeId, FaceId, PreparedMesh, Progress, Topology};
+use silhouette_core::{Cancelled, EdgeId, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
 use std::collections::BTreeMap;
 
 /// An end of a segment of intersection.
@@ -53,7 +55,7 @@ impl FaceIntersections {
     ) -> Result<Self, Cancelled> {
         let edges: Vec<EdgeId> = topology.edges().ids().collect();
         progress.stage("intersections", edges.len() as u64);
-        let passages = |edges: &[EdgeId]| -> Result<Vec<(EdgeId, FaceId, Vec3)>, Cancelled> {
+        let passages = |edges: &[EdgeId]| -> Result<Vec<Meeting>, Cancelled> {
             progress.check()?;
             let mut found = Vec::new();
             edges.iter().for_each(|&edge| passages_of(mesh, topology, tree, edge, &mut found));
@@ -62,42 +64,59 @@ impl FaceIntersections {
         };
         let found: Result<Vec<_>, Cancelled> = edges.par_chunks(EDGES_PER_TASK).map(passages).collect();
         let mut places = found?.concat();
-        places.sort_unstable_by_key(|&(edge, face, _)| (edge, face));
+        places.sort_unstable_by_key(|meeting| (meeting.edge, meeting.face, meeting.vertex));
         Ok(Self(segments(mesh, topology, &places)))
     }
 }
 
-fn passages_of(
-    mesh: &PreparedMesh,
-    topology: &Topology,
-    tree: &FaceTree,
+/// Where an edge passes through a face, or ends on it.
+#[derive(Clone, Copy)]
+struct Meeting {
     edge: EdgeId,
-    found: &mut Vec<(EdgeId, FaceId, Vec3)>,
-) {
+    face: FaceId,
+    /// The vertex that lies on the face, where it is not the edge's inside that meets it.
+    vertex: Option<u32>,
+    place: Vec3,
+}
+
+fn passages_of(mesh: &PreparedMesh, topology: &Topology, tree: &FaceTree, edge: EdgeId, found: &mut Vec<Meeting>) {
     let mesh = mesh.mesh();
     let vertices = topology.edges()[edge];
     let ends = vertices.map(|vertex| mesh.positions()[vertex as usize]);
     tree.faces_at(ends[0], ends[1], |face| {
-        let around = mesh.triangles()[face.index()];
-        if !vertices.iter().any(|vertex| around.contains(vertex))
-            && let Some(passage) = passage(ends, mesh.corners(face))
-        {
+        let (around, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
+        if vertices.iter().any(|vertex| around.contains(vertex)) {
+            return;
+        }
+        if let Some(passage) = passage(ends, corners) {
             let place = ends[0].as_dvec3().lerp(ends[1].as_dvec3(), passage.t).as_vec3();
-            found.push((edge, face, place));
+            found.push(Meeting { edge, face, vertex: None, place });
+        }
+        for (vertex, place) in vertices.into_iter().zip(ends) {
+            if holds(corners, place) {
+                found.push(Meeting { edge, face, vertex: Some(vertex), place });
+            }
         }
     });
 }
 
-fn segments(mesh: &PreparedMesh, topology: &Topology, places: &[(EdgeId, FaceId, Vec3)]) -> Vec<Intersection> {
+/// Whether two faces lie in one plane, in which they have no line of intersection.
+fn are_coplanar(mesh: &TriangleMesh, [one, other]: [FaceId; 2]) -> bool {
+    let [a, b, c] = mesh.corners(one);
+    mesh.corners(other).iter().all(|&corner| orientation(a, b, c, corner) == 0.0)
+}
+
+fn segments(mesh: &PreparedMesh, topology: &Topology, places: &[Meeting]) -> Vec<Intersection> {
     let mesh = mesh.mesh();
     let mut ends_of: BTreeMap<[FaceId; 2], Vec<IntersectionEnd>> = BTreeMap::new();
-    for (index, &(edge, face, place)) in places.iter().enumerate() {
-        let id = (mesh.vertex_count() + index) as u32;
+    for (index, &Meeting { edge, face, vertex, place }) in places.iter().enumerate() {
+        let id = vertex.unwrap_or((mesh.vertex_count() + index) as u32);
         for other in topology.faces(edge) {
             let pair = [other.min(face), other.max(face)];
             ends_of.entry(pair).or_default().push(IntersectionEnd { place, id });
         }
     }
+    ends_of.retain(|&faces, _| !are_coplanar(mesh, faces));
     let mut segments = Vec::new();
     for (faces, mut ends) in ends_of {
         let [one, other] = faces.map(|face| mesh.triangles()[face.index()]);
@@ -135,7 +154,7 @@ impl Artefact for FaceIntersections {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::{NoProgress, TriangleMesh, shapes};
+    use silhouette_core::{NoProgress, shapes};
 
     fn intersections(mesh: TriangleMesh) -> FaceIntersections {
         let mesh = PreparedMesh::new(mesh);
@@ -169,6 +188,24 @@ mod tests {
         let expected = 2.0 * (3.0 - 0.31 - 0.42 - 0.53) * size as f32;
         assert!((length / expected - 1.0).abs() < 1e-5, "{length} {expected}");
         assert_eq!(intersections(cube).as_slice().len(), 0);
+    }
+
+    #[test]
+    fn a_vertex_on_a_face_ends_segments_of_its_faces() {
+        let face = [[0, 0, 0], [8, 0, 0], [0, 8, 0]];
+        // A pyramid through the face, of which one base vertex lies on it.
+        let pyramid = [[1, 1, 0], [4, 1, -1], [1, 4, -1], [2, 2, 3]];
+        let positions = face.into_iter().chain(pyramid).map(|p: [i32; 3]| Vec3::from(p.map(|c| c as f32))).collect();
+        let triangles = vec![[0, 1, 2], [3, 4, 6], [4, 5, 6], [5, 3, 6], [3, 5, 4]];
+        let found = intersections(TriangleMesh::new(positions, triangles).unwrap());
+        let mut degree = BTreeMap::<u32, usize>::new();
+        found
+            .as_slice()
+            .iter()
+            .flat_map(|segment| segment.ends)
+            .for_each(|end| *degree.entry(end.id).or_default() += 1);
+        assert_eq!((found.as_slice().len(), degree.get(&3)), (3, Some(&2)), "{found:?}");
+        assert!(degree.values().all(|&count| count == 2), "{degree:?}");
     }
 
     #[test]
