@@ -3,7 +3,7 @@
 use crate::chains::SegmentSource;
 use crate::contours::{Contour, ContourFinder, Layers};
 use crate::events::{Depth, Event, crossing, piercing, touches};
-use crate::frame::{ClippedEdge, Overlap};
+use crate::frame::ClippedEdge;
 use crate::gaps::{self, Gap};
 use crate::picture_grid::PictureGrid;
 use crate::sight::Sight;
@@ -131,8 +131,7 @@ impl StrokeCutter<'_> {
             }
             let contour = &self.contours[contour_index as usize];
             let place = self.clipped_contours[contour_index as usize].as_ref();
-            let Some(place) = place.filter(|place| clipped.overlap(place, TOUCH_PX, self.depth) == Overlap::Possible)
-            else {
+            let Some(place) = place.filter(|place| clipped.may_meet(place, TOUCH_PX, self.depth)) else {
                 continue;
             };
             let shared = stroke.vertices.map(|vertex| contour.vertices.contains(&vertex));

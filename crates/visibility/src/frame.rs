@@ -36,15 +36,6 @@ pub struct ClippedEdge {
     pub depths: [f64; 2],
 }
 
-/// Where two edges lie to each other in the picture, as far as rounded pixels tell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Overlap {
-    /// They do not meet, nor does one touch an end of the other, or the second is farther from the viewer.
-    None,
-    /// They may.
-    Possible,
-}
-
 impl ClippedEdge {
     /// Length in the picture.
     pub fn length_px(&self) -> f64 {
@@ -52,17 +43,16 @@ impl ClippedEdge {
     }
 
     /// Whether `contour` may pass this edge or its ends within `reach_px`, at a depth that counts. Errs to the safe side.
-    pub fn overlap(&self, contour: &Self, reach_px: f64, depth: Depth) -> Overlap {
+    pub fn may_meet(&self, contour: &Self, reach_px: f64, depth: Depth) -> bool {
         let reach = self.doubt_px + contour.doubt_px + reach_px;
         if depth == Depth::Nearer && contour.depths[0] > self.depths[1] {
-            return Overlap::None;
+            return false;
         }
         let ([a, b], [p, q]) = (self.pixels, contour.pixels);
         let apart = (a.min(b) - p.max(q)).max(p.min(q) - a.max(b));
-        if apart.max_element() > reach || beside([a, b], [p, q], reach) || beside([p, q], [a, b], reach) {
-            return Overlap::None;
-        }
-        Overlap::Possible
+        let certainly_apart =
+            apart.max_element() > reach || beside([a, b], [p, q], reach) || beside([p, q], [a, b], reach);
+        !certainly_apart
     }
 
     /// Distance of a pixel from it; NaN where the edge passes through the eye.
