@@ -1,15 +1,14 @@
 //! Steps 4 to 6 for one stroke: its events, and the gaps between them.
 
 use crate::chains::SegmentSource;
+use crate::clear_edges::{ClearEdges, meetings};
 use crate::contours::{Contour, ContourFinder, Layers};
-use crate::events::{Depth, Event, crossing, piercing, touches};
+use crate::events::{Depth, Event, crossing, piercing};
 use crate::frame::ClippedEdge;
 use crate::gaps::{self, Gap};
 use crate::picture_grid::PictureGrid;
 use crate::sight::Sight;
 use crate::stroke::{Stroke, Strokes};
-use silhouette_core::EdgeId;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Counts of what was done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -41,26 +40,6 @@ pub struct StrokeCutter<'a> {
     pub clear_edges: &'a ClearEdges,
     /// Which layers count: those in front of a stroke, or all that the line of sight meets.
     pub depth: Depth,
-}
-
-/// Mesh edges that are known to meet no face but those at their vertices: a bit an edge, learnt from view to view, since it
-/// does not depend on the view.
-#[derive(Debug, Default)]
-pub struct ClearEdges(Vec<AtomicU64>);
-
-impl ClearEdges {
-    /// Nothing is known of any edge.
-    pub fn new(edges: usize) -> Self {
-        Self((0..edges.div_ceil(64)).map(|_| AtomicU64::new(0)).collect())
-    }
-
-    fn contains(&self, edge: EdgeId) -> bool {
-        self.0[edge.index() / 64].load(Ordering::Relaxed) >> (edge.index() % 64) & 1 == 1
-    }
-
-    fn insert(&self, edge: EdgeId) {
-        self.0[edge.index() / 64].fetch_or(1 << (edge.index() % 64), Ordering::Relaxed);
-    }
 }
 
 /// Memory that is reused from stroke to stroke.
@@ -96,7 +75,9 @@ impl StrokeCutter<'_> {
             SegmentSource::Edge(edge) if self.clear_edges.contains(edge) => [false; 2],
             SegmentSource::Edge(edge) => {
                 let touched = self.find_piercings(stroke, scratch);
-                if touched == [false; 2] && scratch.events.len() == crossings {
+                // Faces on which the eye lies were left out; from elsewhere they count.
+                let is_clear = touched == [false; 2] && scratch.events.len() == crossings;
+                if is_clear && self.finder.at_eye.is_empty() {
                     self.clear_edges.insert(edge);
                 }
                 touched
@@ -172,19 +153,13 @@ impl StrokeCutter<'_> {
         let own = self.strokes.own_faces(stroke);
         let mesh = self.sight.mesh;
         let mut touched = [false; 2];
-        self.sight.tree.faces_at(stroke.ends[0], stroke.ends[1], |face| {
-            if own.contains(&face) || self.finder.at_eye.binary_search(&face).is_ok() {
-                return;
+        let is_left_out = |face| own.contains(&face) || self.finder.at_eye.binary_search(&face).is_ok();
+        meetings(mesh, self.sight.tree, stroke.ends, stroke.vertices, is_left_out, |meeting| {
+            for (at_end, found) in touched.iter_mut().zip(meeting.touched) {
+                *at_end |= found;
             }
-            let (vertices, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
-            let shared = stroke.vertices.map(|vertex| vertices.contains(&vertex));
-            for end in 0..2 {
-                touched[end] |= !shared[end] && touches(stroke.ends[end], corners);
-            }
-            if shared.contains(&true) {
-                return;
-            }
-            scratch.events.extend(piercing(stroke, &self.sight.viewpoint, corners));
+            let event = |passage| piercing(passage, mesh.corners(meeting.face), &self.sight.viewpoint);
+            scratch.events.extend(meeting.passage.map(event));
         });
         touched
     }

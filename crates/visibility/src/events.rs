@@ -127,15 +127,15 @@ pub fn passage([a, b]: [Vec3; 2], [u, v, w]: [Vec3; 3]) -> Option<Passage> {
     Some(Passage { t, doubt, outward: above_b > 0.0, through_rim: around.contains(&0.0) })
 }
 
-/// What changes in front of a stroke where it passes through a face, if it does. Exact. O(1).
-pub fn piercing(stroke: &Stroke, viewpoint: &Viewpoint, corners: [Vec3; 3]) -> Option<Event> {
-    let Passage { t, doubt, outward, through_rim } = passage(stroke.ends, corners)?;
+/// What changes in front of a stroke where it passes through a face. Exact. O(1).
+pub fn piercing(passage: Passage, corners: [Vec3; 3], viewpoint: &Viewpoint) -> Event {
+    let Passage { t, doubt, outward, through_rim } = passage;
     let facing = judge(corners, viewpoint).facing;
     // The viewer is on the outer side of a front face and on the inner side of a back face.
     let away_from_viewer = outward != (facing == Facing::Front);
     let mut change = Layers::default();
     change.add(Layers::of(facing), if away_from_viewer { 1 } else { -1 });
-    Some(Event { t, doubt, change: (!through_rim).then_some(change), contour: None })
+    Event { t, doubt, change: (!through_rim).then_some(change), contour: None }
 }
 
 /// Whether a point lies in the plane of a face and not certainly outside of it. A superset: a point in the plane beside a
@@ -221,19 +221,17 @@ mod tests {
 
     #[test]
     fn a_face_is_pierced_towards_its_far_side() {
-        let triangle = [Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
-        let inward = stroke(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -3.0), 1);
-        let event = piercing(&inward, &VIEW, triangle).unwrap();
+        let [u, v, w] = [Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
+        let pierce = |ends: [Vec3; 2], corners| passage(ends, corners).map(|at| piercing(at, corners, &VIEW));
+        let inward = [Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -3.0)];
+        let event = pierce(inward, [u, v, w]).unwrap();
         assert!((event.t - 0.25).abs() <= event.doubt);
         assert_eq!(event.change, Some(Layers { front: 1, back: 0 }));
-        let [u, v, w] = triangle;
-        assert_eq!(piercing(&inward, &VIEW, [u, w, v]).unwrap().change, Some(Layers { front: 0, back: 1 }));
-        let outward = stroke(inward.ends[1], inward.ends[0], 1);
-        assert_eq!(piercing(&outward, &VIEW, triangle).unwrap().change, Some(Layers { front: -1, back: 0 }));
-        let beside = stroke(Vec3::new(2.0, 0.0, 1.0), Vec3::new(2.0, 0.0, -3.0), 1);
-        assert_eq!(piercing(&beside, &VIEW, triangle), None);
-        let through_the_rim = stroke(Vec3::new(0.0, -1.0, 1.0), Vec3::new(0.0, -1.0, -3.0), 1);
-        assert_eq!(piercing(&through_the_rim, &VIEW, triangle).unwrap().change, None);
-        assert_eq!(piercing(&stroke(Vec3::Z, Vec3::ZERO, 1), &VIEW, triangle), None, "it only touches");
+        assert_eq!(pierce(inward, [u, w, v]).unwrap().change, Some(Layers { front: 0, back: 1 }));
+        let outward = [inward[1], inward[0]];
+        assert_eq!(pierce(outward, [u, v, w]).unwrap().change, Some(Layers { front: -1, back: 0 }));
+        assert_eq!(pierce(inward.map(|end| end + 2.0 * Vec3::X), [u, v, w]), None, "beside it");
+        assert_eq!(pierce(inward.map(|end| end - Vec3::Y), [u, v, w]).unwrap().change, None, "through the rim");
+        assert_eq!(pierce([Vec3::Z, Vec3::ZERO], [u, v, w]), None, "it only touches");
     }
 }

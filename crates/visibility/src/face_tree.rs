@@ -27,6 +27,10 @@ const GROWTH: f32 = 1.0e-5;
 /// Longest ray in local units: across a scene that spans -1 to 1 on each axis, twice over.
 const FAR: f32 = 8.0;
 
+/// Longest side of a segment's box, in local units, for which the boxes that the box meets are few enough: a question that is
+/// cheaper to ask of a box than which boxes the segment meets.
+const SHORT: f32 = 1.0 / 16.0;
+
 /// A bounding volume hierarchy over the faces of a mesh. Memory: about 70 bytes a face.
 pub struct FaceTree {
     bvh: Bvh2,
@@ -85,12 +89,21 @@ impl FaceTree {
     pub fn faces_at(&self, a: Vec3, b: Vec3, mut visit: impl FnMut(FaceId)) {
         let [from, to] = [a, b].map(|end| self.local(end.as_dvec3()));
         let (low, high) = (from.min(to), from.max(to));
-        self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, |place| {
+        let mut visit_near = |place: usize| {
             let Aabb { min, max } = self.boxes[place];
             if (min.cmple(high) & max.cmpge(low)).all() {
                 visit(self.face(place));
             }
-        });
+        };
+        if (high - low).max_element() > SHORT {
+            self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, visit_near);
+        } else {
+            self.bvh.aabb_traverse(Aabb::new(low, high), |bvh, node| {
+                let leaf = &bvh.nodes[node as usize];
+                (leaf.first_index..leaf.first_index + leaf.prim_count).for_each(|place| visit_near(place as usize));
+                true
+            });
+        }
     }
 
     /// Visits the faces on which a point may lie: a superset, each face once.

@@ -1,8 +1,9 @@
 //! [`LineFinder`]: the steps in order.
 
-use crate::contours::{Contour, ContourFinder, UnpairedEdges, faces_at_eye};
+use crate::clear_edges::ClearEdges;
+use crate::contours::{Contour, ContourFinder, EDGES_PER_TASK, UnpairedEdges, faces_at_eye};
 use crate::curves::push_strokes;
-use crate::cutter::{ClearEdges, StrokeCutter};
+use crate::cutter::StrokeCutter;
 use crate::decide::{Decided, decide};
 use crate::events::Depth;
 use crate::face_tree::FaceTree;
@@ -84,13 +85,16 @@ impl LineFinder {
     }
 
     /// The same for many views: also prepares a search tree over planes, after which the silhouette of a view is found in
-    /// time that grows with its length instead of with the mesh. About twice the preparation.
+    /// time that grows with its length instead of with the mesh, and asks of every edge whether it meets a face. About three
+    /// times the preparation.
     ///
     /// # Errors
     /// [`PrepareError`] when `progress` cancels.
     pub fn for_many_views(scene: LineScene, progress: &dyn Progress) -> Result<Self, PrepareError> {
         let selector = Selector::for_many_views(&scene, progress)?;
-        Ok(Self { selector, ..Self::new(scene, progress)? })
+        let finder = Self::new(scene, progress)?;
+        let clear_edges = ClearEdges::of(finder.scene.mesh().mesh(), &finder.topology, &finder.tree, progress)?;
+        Ok(Self { selector, clear_edges, ..finder })
     }
 
     /// The scene.
@@ -115,8 +119,9 @@ impl LineFinder {
         let mesh = self.scene.mesh().mesh();
         let at_eye = faces_at_eye(mesh, &self.tree, &viewpoint);
         let finder = ContourFinder { mesh, topology: &self.topology, viewpoint, at_eye: &at_eye };
-        let mut strokes = self.selector.strokes(&self.scene, &finder, options);
+        self.selector.find_silhouette(mesh, &self.topology, &viewpoint);
         let contours = finder.find(self.selector.silhouette(), &self.unpaired);
+        let mut strokes = self.selector.strokes(&self.scene, &finder, &contours, options);
         let frame = PictureFrame::new(camera, self.reach);
         let mut first_id = mesh.vertex_count() as u32;
         if options.intersection {
@@ -131,14 +136,16 @@ impl LineFinder {
         let started = Instant::now();
         progress.check()?;
         let clip_contour = |contour: &Contour| frame.clip(contour.ends, 1.0);
-        let clipped_contours: Vec<_> = contours.par_iter().map(clip_contour).collect();
-        let grid = PictureGrid::new(&frame, &clipped_contours);
         // An edge seen end on has no place in the picture but a point.
         let clip_stroke = |stroke: &Stroke| {
             let clipped = frame.clip_drawn(stroke.ends);
             clipped.filter(|edge| edge.length_px() > END_ON_PX || !stroke.is_seen_end_on(&viewpoint))
         };
-        let clipped: Vec<_> = strokes.strokes.par_iter().map(clip_stroke).collect();
+        let clipped_contours: Vec<_> = contours.par_iter().with_min_len(EDGES_PER_TASK).map(clip_contour).collect();
+        let (grid, clipped): (_, Vec<_>) = rayon::join(
+            || PictureGrid::new(&frame, &clipped_contours),
+            || strokes.strokes.par_iter().with_min_len(EDGES_PER_TASK).map(clip_stroke).collect(),
+        );
         stats.project = started.elapsed();
 
         let started = Instant::now();

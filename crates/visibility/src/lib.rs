@@ -8,7 +8,7 @@
 //! 2. `select.rs`: which edges are drawn, and why; with `intersections.rs` and `curves.rs`, lines that are no edges.
 //! 3. `frame.rs`, `picture_grid.rs`: edges clipped before they are divided, contours by place in the picture.
 //! 4. `events.rs`: where a stroke crosses a nearer contour, and where it passes through a face.
-//! 5. `cutter.rs`: the candidates for these.
+//! 5. `cutter.rs`: the candidates for these; `clear_edges.rs`: edges that pass through nothing.
 //! 6. `gaps.rs`: a stroke parted at its events.
 //! 7. `propagate.rs`: layers told from stroke to stroke; `sight.rs`: one line of sight for each set that is connected.
 //! 8. `pieces.rs`, `join.rs`: stretches of one invisibility, joined to chains. `outline.rs`: the outermost ones as polygons.
@@ -43,6 +43,7 @@
 
 mod cache;
 mod chains;
+mod clear_edges;
 mod contours;
 mod curves;
 mod cutter;

@@ -27,6 +27,9 @@ const MAX_SIGHT_FACES: u64 = 200_000_000;
 /// Seeds that a task takes: some 0.05 ms of work.
 const SEEDS_PER_TASK: usize = 16;
 
+/// Vertices that a task takes: some 0.05 ms of work.
+const GROUPS_PER_TASK: usize = 64;
+
 /// Places in a gap at which a sight line is tried, as shares of its length, until one is certain.
 const TRIALS: [f64; 6] = [0.5, 0.381_966, 0.618_034, 0.723_607, 0.276_393, 0.145_898];
 
@@ -86,7 +89,7 @@ impl Propagation<'_> {
     ) -> Result<(Vec<Layers>, u64), LineError> {
         let (all_spans, ends) = self.spans_and_ends(cut, gaps);
         let mut sets = Sets::new(all_spans.len());
-        for (one, other, difference) in self.differences(ends) {
+        for (one, other, difference) in self.differences(&ends) {
             sets.unite(one, other, difference);
         }
         let seeds = seeds(&all_spans, gaps, &mut sets);
@@ -149,42 +152,39 @@ impl Propagation<'_> {
     }
 
     /// Spans that meet in a vertex, and the layers of the second's first gap beyond those of the first's.
-    fn differences(&self, mut ends: Vec<StrokeEnd>) -> Vec<(u32, u32, Layers)> {
-        ends.par_sort_unstable_by_key(|end| (end.vertex, end.stroke, end.end));
-        let groups: Vec<&[StrokeEnd]> = ends
-            .chunk_by(|one, other| one.vertex == other.vertex)
-            .filter(|group| group.len() > 1 && !group.iter().any(|end| end.touched))
+    fn differences(&self, ends: &[StrokeEnd]) -> Vec<(u32, u32, Layers)> {
+        let mut order: Vec<(u32, u32)> = ends.iter().zip(0..).map(|(end, index)| (end.vertex, index)).collect();
+        order.par_sort_unstable();
+        let end = |&(_, index): &(u32, u32)| &ends[index as usize];
+        let groups: Vec<&[(u32, u32)]> = order
+            .chunk_by(|one, other| one.0 == other.0)
+            .filter(|group| group.len() > 1 && !group.iter().any(|at| end(at).touched))
             .collect();
-        let of_groups: Vec<Vec<(u32, u32, Layers)>> =
-            groups.par_iter().with_min_len(32).map(|group| self.differences_at(group)).collect();
-        of_groups.into_iter().flatten().collect()
+        let of_task = |groups: &[&[(u32, u32)]]| {
+            let mut found = Vec::with_capacity(groups.len());
+            for (first, others) in groups.iter().filter_map(|group| group.split_first()) {
+                let (first, rest) = (end(first), self.rest_at(end(first)));
+                for other in others.iter().map(end) {
+                    let mut difference = rest;
+                    difference.add(self.rest_at(other), -1);
+                    found.push((first.span, other.span, difference));
+                }
+            }
+            found
+        };
+        let found: Vec<Vec<(u32, u32, Layers)>> = groups.par_chunks(GROUPS_PER_TASK).map(of_task).collect();
+        found.concat()
     }
 
-    fn differences_at(&self, group: &[StrokeEnd]) -> Vec<(u32, u32, Layers)> {
-        // What faces around the vertex add beyond the span's own layers, negated: the common rest is what remains.
-        let rests: Vec<Layers> = group
-            .iter()
-            .map(|end| {
-                let stroke = &self.strokes.strokes[end.stroke as usize];
-                let own = self.strokes.own_faces(stroke);
-                let mut rest = end.offset;
-                for &face in self.vertex_faces.of(end.vertex) {
-                    if !own.contains(&face) {
-                        rest.add(self.sight.near_end(stroke, end.end, face), -1);
-                    }
-                }
-                rest
-            })
-            .collect();
-        let first = (&group[0], rests[0]);
-        let others = group[1..].iter().zip(&rests[1..]);
-        others
-            .map(|(end, &rest)| {
-                let mut difference = first.1;
-                difference.add(rest, -1);
-                (first.0.span, end.span, difference)
-            })
-            .collect()
+    /// The layers in front of a stroke just inside of an end without those of the faces around the vertex, beyond the layers
+    /// of the span's first gap: what all strokes that end there have in common.
+    fn rest_at(&self, end: &StrokeEnd) -> Layers {
+        let stroke = &self.strokes.strokes[end.stroke as usize];
+        let own = self.strokes.own_faces(stroke);
+        let others = self.vertex_faces.of(end.vertex).iter().copied().filter(|face| !own.contains(face));
+        let mut rest = end.offset;
+        rest.add(self.sight.near_end(stroke, end.end, others), -1);
+        rest
     }
 
     /// The layers in front of the gap that a seed names.

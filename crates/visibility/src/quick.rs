@@ -114,7 +114,8 @@ impl QuickLineFinder {
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
         let finder = ContourFinder { mesh, topology: &self.topology, viewpoint, at_eye: &[] };
-        let strokes = self.selector.strokes(&self.scene, &finder, options);
+        self.selector.find_silhouette(mesh, &self.topology, &viewpoint);
+        let strokes = self.selector.strokes(&self.scene, &finder, &[], options);
         stats.extract = started.elapsed();
 
         let started = Instant::now();

@@ -1,7 +1,7 @@
 //! Step 2: which edges are drawn, and why.
 
 use crate::chains::SegmentSource;
-use crate::contours::ContourFinder;
+use crate::contours::{Contour, ContourFinder, EDGES_PER_TASK};
 use crate::intersections::{FaceIntersections, Intersection};
 use crate::kind::LineKind;
 use crate::options::LineOptions;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::{EdgeId, ExtractsEdges, FaceFacings, Facing, Method, Progress, SilhouetteEdges};
-use silhouette_core::{Topology, TriangleMesh};
+use silhouette_core::{Topology, TriangleMesh, Viewpoint};
 use silhouette_extraction::ClusterCones;
 
 /// Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
@@ -87,36 +87,46 @@ impl Selector {
         Ok(Self { cones: Some(cones), ..Self::default() })
     }
 
-    /// The strokes of a view. O(F + S), or less with a search tree; O(E) for a choice of kinds that is new.
-    pub fn strokes(&mut self, scene: &LineScene, finder: &ContourFinder<'_>, options: &LineOptions) -> Strokes {
-        let (mesh, topology, viewpoint) = (finder.mesh, finder.topology, finder.viewpoint);
+    /// Finds the silhouette of a view. O(F), or less with a search tree.
+    pub fn find_silhouette(&mut self, mesh: &TriangleMesh, topology: &Topology, viewpoint: &Viewpoint) {
         if let Some(cones) = &mut self.cones {
-            cones.extract_edges(&viewpoint, &mut self.silhouette);
+            cones.extract_edges(viewpoint, &mut self.silhouette);
         } else {
-            self.facings.classify(mesh, &viewpoint);
+            self.facings.classify(mesh, viewpoint);
             self.silhouette = SilhouetteEdges::of(topology, &self.facings);
         }
+    }
+
+    /// The strokes of the view whose silhouette was last found. `contours` are those of the view, ascending by edge: what is
+    /// known of them is not looked up again. O(S); O(E) for a choice of kinds that is new.
+    pub fn strokes(
+        &mut self,
+        scene: &LineScene,
+        finder: &ContourFinder<'_>,
+        contours: &[Contour],
+        options: &LineOptions,
+    ) -> Strokes {
         let kept = self.features.take().filter(|(of, _)| of == options);
         let (_, features) = self
             .features
-            .insert(kept.unwrap_or_else(|| (options.clone(), FeatureEdges::new(scene, topology, options))));
-        mesh_strokes(scene, finder, &self.silhouette, features, options)
+            .insert(kept.unwrap_or_else(|| (options.clone(), FeatureEdges::new(scene, finder.topology, options))));
+        let drawn = drawn_edges(finder, &self.silhouette, features, options);
+        mesh_strokes(scene, finder, contours, &drawn)
     }
 
-    /// All silhouette edges of the view last selected.
+    /// All silhouette edges of the view last looked for.
     pub fn silhouette(&self) -> &SilhouetteEdges {
         &self.silhouette
     }
 }
 
-/// The mesh edges drawn in a view, each once: silhouette edges before features. O(S + features).
-fn mesh_strokes(
-    scene: &LineScene,
+/// The mesh edges drawn in a view, each once and ascending: silhouette edges before features. O(S + features).
+fn drawn_edges(
     finder: &ContourFinder<'_>,
     silhouette: &SilhouetteEdges,
     features: &FeatureEdges,
     options: &LineOptions,
-) -> Strokes {
+) -> Vec<(EdgeId, LineKind)> {
     let is_interior = |edge: &EdgeId| finder.topology.half_edges(*edge).len() > 1;
     let silhouette = silhouette.iter().filter(|edge| options.silhouette && is_interior(edge));
     let mut drawn: Vec<(EdgeId, LineKind)> = silhouette.map(|edge| (edge, LineKind::Silhouette)).collect();
@@ -128,24 +138,42 @@ fn mesh_strokes(
     // Stable, so that the silhouette keeps an edge that is a feature as well.
     drawn.sort_by_key(|&(edge, _)| edge);
     drawn.dedup_by_key(|&mut (edge, _)| edge);
-    let mut strokes = Strokes::default();
-    for (edge, kind) in drawn {
+    drawn
+}
+
+/// Strokes of drawn edges, those of no length left out. O(drawn + contours), parallel.
+fn mesh_strokes(
+    scene: &LineScene,
+    finder: &ContourFinder<'_>,
+    contours: &[Contour],
+    drawn: &[(EdgeId, LineKind)],
+) -> Strokes {
+    let mut rest = contours.iter().peekable();
+    let known = drawn.iter().map(|&(edge, kind)| {
+        while rest.next_if(|contour| contour.edge < edge).is_some() {}
+        (edge, kind, rest.peek().filter(|contour| contour.edge == edge).copied())
+    });
+    let known: Vec<(EdgeId, LineKind, Option<&Contour>)> = known.collect();
+    let stroke = |&(edge, kind, contour): &(EdgeId, LineKind, Option<&Contour>)| {
         let vertices = finder.topology.edges()[edge];
         let ends = vertices.map(|vertex| finder.mesh.positions()[vertex as usize]);
-        if ends[0] == ends[1] {
-            continue;
-        }
         let first_face = finder.topology.half_edges(edge)[0].face();
-        let stroke = Stroke {
+        (ends[0] != ends[1]).then(|| Stroke {
             ends,
             vertices,
             source: SegmentSource::Edge(edge),
             kind,
             object: scene.object_of(first_face),
-            side: finder.surface_side(edge),
+            side: contour.map_or_else(|| finder.surface_side(edge), Contour::surface_side),
             own: 0..0,
-        };
-        strokes.push(stroke, finder.topology.faces(edge));
+        })
+    };
+    let found: Vec<Option<Stroke>> = known.par_iter().with_min_len(EDGES_PER_TASK).map(stroke).collect();
+    let mut strokes = Strokes::default();
+    for (stroke, (edge, _)) in found.into_iter().zip(drawn) {
+        if let Some(stroke) = stroke {
+            strokes.push(stroke, finder.topology.faces(*edge));
+        }
     }
     strokes
 }

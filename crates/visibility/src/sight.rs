@@ -49,6 +49,36 @@ struct Target<'a> {
     error: f64,
 }
 
+/// The direction in which a stroke leaves one of its ends.
+struct Departure {
+    corner: DVec3,
+    along: DVec3,
+    toward_viewer: DVec3,
+    /// Across both.
+    across: DVec3,
+}
+
+impl Departure {
+    /// Whether the stroke certainly leaves a corner of a face outside of the face's angle there, in the picture. `others`
+    /// are the face's other corners in order.
+    fn leaves_beside(&self, others: [Vec3; 2]) -> bool {
+        let [next, last] = others.map(|other| other.as_dvec3() - self.corner);
+        // Differences and products round alike wherever the mesh lies: within `9u` of six products each.
+        let size = |v: DVec3| v.abs().max_element();
+        let reach = size(next).max(size(last));
+        let error = 64.0 * f64::EPSILON * size(self.along) * reach * size(self.toward_viewer);
+        let certain = |value: f64, error: f64| i32::from(value > error) - i32::from(value < -error);
+        // Most faces lie on one side of the stroke's line. Of the rest, the stroke leaves one half backwards.
+        let [left, right] = [next, last].map(|other| certain(self.across.dot(other), error));
+        if left * right >= 0 {
+            return left * right > 0;
+        }
+        let angle = next.cross(last).dot(self.toward_viewer);
+        let angle_error = 64.0 * f64::EPSILON * reach * reach * size(self.toward_viewer);
+        certain(angle, angle_error) == left
+    }
+}
+
 /// A determinant that is affine in the point of the stroke.
 #[derive(Debug, Clone, Copy)]
 struct Affine {
@@ -106,15 +136,24 @@ impl Sight<'_> {
         seen
     }
 
-    /// The layers that one face adds in front of a stroke just inside of one of its ends. Exact.
-    pub fn near_end(&self, stroke: &Stroke, end: usize, face: FaceId) -> Layers {
-        let vertices = self.mesh.triangles()[face.index()];
-        let corners = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
-        if let Some(slot) = vertices.iter().position(|&vertex| vertex == stroke.vertices[end])
-            && self.leaves_beside(stroke, end, [corners[(slot + 1) % 3], corners[(slot + 2) % 3]])
-        {
-            return Layers::default();
+    /// The layers that faces around a stroke's end add in front of the stroke just inside of that end. Exact. O(faces).
+    pub fn near_end(&self, stroke: &Stroke, end: usize, faces: impl Iterator<Item = FaceId>) -> Layers {
+        let departure = self.departure(stroke, end);
+        let mut layers = Layers::default();
+        for face in faces {
+            let vertices = self.mesh.triangles()[face.index()];
+            let corners = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
+            let slot = vertices.iter().position(|&vertex| vertex == stroke.vertices[end]);
+            let others = slot.map(|slot| [corners[(slot + 1) % 3], corners[(slot + 2) % 3]]);
+            if !others.is_some_and(|others| departure.leaves_beside(others)) {
+                layers.add(self.covers_near_end(stroke, end, vertices, corners), 1);
+            }
         }
+        layers
+    }
+
+    /// What one face adds there, by exact predicates.
+    fn covers_near_end(&self, stroke: &Stroke, end: usize, vertices: [u32; 3], corners: [Vec3; 3]) -> Layers {
         let facing = sign(turn(&self.viewpoint, corners[0], corners[1], corners[2]));
         let covers = facing != 0
             && (0..3).all(|slot| {
@@ -126,24 +165,14 @@ impl Sight<'_> {
         if covers && counts() { layer(facing) } else { Layers::default() }
     }
 
-    /// Whether a stroke certainly leaves a corner of a face outside of the face's angle there, in the picture. `others` are
-    /// the face's other corners in order.
-    fn leaves_beside(&self, stroke: &Stroke, end: usize, others: [Vec3; 2]) -> bool {
+    fn departure(&self, stroke: &Stroke, end: usize) -> Departure {
         let corner = stroke.ends[end].as_dvec3();
         let toward_viewer = match self.viewpoint {
             Viewpoint::Perspective { eye } => eye.as_dvec3() - corner,
             Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
         };
         let along = stroke.ends[1 - end].as_dvec3() - corner;
-        let [next, last] = others.map(|other| other.as_dvec3() - corner);
-        // Differences and products round alike wherever the mesh lies: within `9u` of six products each.
-        let size = |v: DVec3| v.abs().max_element();
-        let error = 64.0 * f64::EPSILON * size(along).max(size(next)).max(size(last)).powi(2) * size(toward_viewer);
-        let sides = [next.cross(along), along.cross(last), next.cross(last)].map(|normal| {
-            let value = normal.dot(toward_viewer);
-            i32::from(value > error) - i32::from(value < -error)
-        });
-        sides.contains(&1) && sides.contains(&-1)
+        Departure { corner, along, toward_viewer, across: toward_viewer.cross(along) }
     }
 
     /// What a face adds in front of the target, and whether that is certain; `None` for certainly nothing.
