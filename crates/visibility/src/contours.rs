@@ -73,12 +73,21 @@ impl Contour {
 pub struct UnpairedEdges(Vec<EdgeId>);
 
 impl UnpairedEdges {
-    /// Whether an edge is unpaired. O(1).
-    pub fn is_unpaired(topology: &Topology, mesh: &TriangleMesh, edge: EdgeId) -> bool {
-        match topology.half_edges(edge) {
-            [one, other] => runs_forward(mesh, topology, edge, *one) == runs_forward(mesh, topology, edge, *other),
-            _ => true,
-        }
+    /// Ascending.
+    pub fn as_slice(&self) -> &[EdgeId] {
+        &self.0
+    }
+
+    /// Whether an edge is unpaired. O(log U) for U unpaired edges.
+    pub fn contains(&self, edge: EdgeId) -> bool {
+        self.0.binary_search(&edge).is_ok()
+    }
+}
+
+fn is_unpaired(topology: &Topology, mesh: &TriangleMesh, edge: EdgeId) -> bool {
+    match topology.half_edges(edge) {
+        [one, other] => runs_forward(mesh, topology, edge, *one) == runs_forward(mesh, topology, edge, *other),
+        _ => true,
     }
 }
 
@@ -88,7 +97,7 @@ impl Artefact for UnpairedEdges {
     fn build(mesh: &PreparedMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let topology = mesh.artefact::<Topology>(Self::NAME, progress)?;
         let edges = topology.edges().ids();
-        Ok(Self(edges.filter(|&edge| Self::is_unpaired(&topology, mesh.mesh(), edge)).collect()))
+        Ok(Self(edges.filter(|&edge| is_unpaired(&topology, mesh.mesh(), edge)).collect()))
     }
 
     fn bytes(&self) -> usize {
@@ -111,6 +120,8 @@ pub struct ContourFinder<'a> {
     pub mesh: &'a TriangleMesh,
     /// Its topology.
     pub topology: &'a Topology,
+    /// Its unpaired edges.
+    pub unpaired: &'a UnpairedEdges,
     /// Where it is seen from.
     pub viewpoint: Viewpoint,
     /// Faces on which the eye lies, ascending. They are seen by nobody: their edges surround the eye, so that what one adds
@@ -177,27 +188,36 @@ impl ContourFinder<'_> {
     }
 
     /// All contours: of the silhouette, which must be complete, and of the unpaired edges. Ascending by edge.
-    /// O(S + unpaired edges), parallel.
-    pub fn find(&self, silhouette: &SilhouetteEdges, unpaired: &UnpairedEdges) -> Vec<Contour> {
-        let paired = silhouette.iter().filter(|&edge| !UnpairedEdges::is_unpaired(self.topology, self.mesh, edge));
+    /// O((S + unpaired edges) log S), parallel.
+    pub fn find(&self, silhouette: &SilhouetteEdges) -> Vec<Contour> {
+        let paired = silhouette.iter().filter(|&edge| !self.unpaired.contains(edge));
         let sides = self.at_eye.iter().flat_map(|&face| (0..3).map(move |slot| HalfEdgeId::of(face, slot)));
         let around_eye = sides.map(|half_edge| self.topology.edge_of(half_edge));
-        let mut candidates: Vec<EdgeId> = paired.chain(unpaired.0.iter().copied()).chain(around_eye).collect();
+        let mut candidates: Vec<EdgeId> = paired.chain(self.unpaired.0.iter().copied()).chain(around_eye).collect();
         candidates.sort_unstable();
         candidates.dedup();
         candidates.par_iter().with_min_len(EDGES_PER_TASK).filter_map(|&edge| self.contour(edge)).collect()
     }
 
+    /// The contour of a silhouette edge, an unpaired edge or one around the eye.
     fn contour(&self, edge: EdgeId) -> Option<Contour> {
         let vertices = self.topology.edges()[edge];
         let ends = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
-        let to_the_left = self.change_to_the_left(edge, |_| true);
-        (ends[0] != ends[1] && to_the_left != Layers::default()).then_some(Contour {
-            edge,
-            vertices,
-            ends,
-            to_the_left,
-        })
+        if ends[0] == ends[1] {
+            return None;
+        }
+        let is_fold = self.at_eye.is_empty() && !self.unpaired.contains(edge);
+        let to_the_left = if is_fold { self.fold(edge) } else { self.change_to_the_left(edge, |_| true) };
+        (to_the_left != Layers::default()).then_some(Contour { edge, vertices, ends, to_the_left })
+    }
+
+    /// The change at a paired silhouette edge: its faces lie on one side, one of either facing, so that one tells of both.
+    fn fold(&self, edge: EdgeId) -> Layers {
+        let half_edge = self.topology.half_edges(edge)[0];
+        let is_front = self.facing(half_edge.face()) == Facing::Front;
+        let lies_left = runs_forward(self.mesh, self.topology, edge, half_edge) == is_front;
+        let change = if lies_left { 1 } else { -1 };
+        Layers { front: change, back: change }
     }
 }
 
@@ -213,8 +233,8 @@ mod tests {
         let unpaired = prepared.artefact::<UnpairedEdges>("test", &NoProgress).unwrap();
         let viewpoint = Viewpoint::Orthographic { toward_viewer: Vec3::Z };
         let silhouette = SilhouetteEdges::of(&topology, &FaceFacings::new(&mesh, &viewpoint));
-        let finder = ContourFinder { mesh: &mesh, topology: &topology, viewpoint, at_eye: &[] };
-        finder.find(&silhouette, &unpaired).iter().map(|contour| (contour.edge, contour.to_the_left)).collect()
+        let finder = ContourFinder { mesh: &mesh, topology: &topology, unpaired: &unpaired, viewpoint, at_eye: &[] };
+        finder.find(&silhouette).iter().map(|contour| (contour.edge, contour.to_the_left)).collect()
     }
 
     const LEFT: [Vec3; 4] = [Vec3::ZERO, Vec3::X, Vec3::new(0.3, 1.0, 0.0), Vec3::new(0.6, 1.0, -1.0)];

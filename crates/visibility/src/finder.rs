@@ -118,9 +118,10 @@ impl LineFinder {
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
         let at_eye = faces_at_eye(mesh, &self.tree, &viewpoint);
-        let finder = ContourFinder { mesh, topology: &self.topology, viewpoint, at_eye: &at_eye };
+        let finder =
+            ContourFinder { mesh, topology: &self.topology, unpaired: &self.unpaired, viewpoint, at_eye: &at_eye };
         self.selector.find_silhouette(mesh, &self.topology, &viewpoint);
-        let contours = finder.find(self.selector.silhouette(), &self.unpaired);
+        let contours = finder.find(self.selector.silhouette());
         let mut strokes = self.selector.strokes(&self.scene, &finder, &contours, options);
         let frame = PictureFrame::new(camera, self.reach);
         let mut first_id = mesh.vertex_count() as u32;

@@ -11,7 +11,7 @@
 //! contour before them, which are drawn. On a fine mesh the silhouette is full of those. To ask that a face at the edge be seen
 //! would draw few of them, but miss half of what is visible, as the faces there are narrower than a pixel.
 
-use crate::contours::{ContourFinder, Layers};
+use crate::contours::{ContourFinder, Layers, UnpairedEdges};
 use crate::finder::LineError;
 use crate::frame::{ClippedEdge, PictureFrame};
 use crate::join::join;
@@ -80,20 +80,21 @@ impl FaceIds {
 pub struct QuickLineFinder {
     scene: LineScene,
     topology: Arc<Topology>,
+    unpaired: Arc<UnpairedEdges>,
     /// Largest absolute coordinate.
     reach: f64,
     selector: Selector,
 }
 
 impl QuickLineFinder {
-    /// Prepares a scene: topology, nothing else. O(F).
+    /// Prepares a scene: topology and unpaired edges. O(F).
     ///
     /// # Errors
     /// [`Cancelled`] when `progress` says so.
     pub fn new(scene: LineScene, progress: &dyn Progress) -> Result<Self, Cancelled> {
-        let topology = scene.mesh().artefact(NAME, progress)?;
+        let (topology, unpaired) = (scene.mesh().artefact(NAME, progress)?, scene.mesh().artefact(NAME, progress)?);
         let reach = scene.reach();
-        Ok(Self { scene, topology, reach, selector: Selector::default() })
+        Ok(Self { scene, topology, unpaired, reach, selector: Selector::default() })
     }
 
     /// The lines of a view whose face ids are `ids`: visible parts only, whatever invisibility is asked for, and mesh edges
@@ -113,7 +114,7 @@ impl QuickLineFinder {
         progress.check()?;
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
-        let finder = ContourFinder { mesh, topology: &self.topology, viewpoint, at_eye: &[] };
+        let finder = ContourFinder { mesh, topology: &self.topology, unpaired: &self.unpaired, viewpoint, at_eye: &[] };
         self.selector.find_silhouette(mesh, &self.topology, &viewpoint);
         let strokes = self.selector.strokes(&self.scene, &finder, &[], options);
         stats.extract = started.elapsed();

@@ -1,7 +1,7 @@
 //! Step 2: which edges are drawn, and why.
 
 use crate::chains::SegmentSource;
-use crate::contours::{Contour, ContourFinder, EDGES_PER_TASK};
+use crate::contours::{Contour, ContourFinder, EDGES_PER_TASK, UnpairedEdges};
 use crate::intersections::{FaceIntersections, Intersection};
 use crate::kind::LineKind;
 use crate::options::LineOptions;
@@ -22,17 +22,18 @@ struct FeatureEdges {
 }
 
 impl FeatureEdges {
-    /// The feature edges of a scene. O(E), parallel.
-    fn new(scene: &LineScene, topology: &Topology, options: &LineOptions) -> Self {
+    /// The feature edges of a scene. O(E), parallel; O(unpaired edges) where boundary edges are all that is asked for.
+    fn new(scene: &LineScene, topology: &Topology, unpaired: &UnpairedEdges, options: &LineOptions) -> Self {
         let looks_at_all =
             options.mesh || options.ridge_deg.is_some() || options.valley_deg.is_some() || scene.labels().is_some();
-        if !looks_at_all && !options.boundary {
-            return Self::default();
-        }
         let mesh = scene.mesh().mesh();
-        let edges: Vec<EdgeId> = topology.edges().ids().collect();
         let kind_of = |edge: EdgeId| kind(scene, mesh, topology, options, edge).map(|kind| (edge, kind));
-        Self { edges: edges.par_iter().filter_map(|&edge| kind_of(edge)).collect() }
+        let edges = if looks_at_all {
+            (0..topology.edge_count()).into_par_iter().map(EdgeId::from_usize).filter_map(kind_of).collect()
+        } else {
+            unpaired.as_slice().iter().copied().filter_map(kind_of).collect()
+        };
+        Self { edges }
     }
 }
 
@@ -107,9 +108,10 @@ impl Selector {
         options: &LineOptions,
     ) -> Strokes {
         let kept = self.features.take().filter(|(of, _)| of == options);
-        let (_, features) = self
-            .features
-            .insert(kept.unwrap_or_else(|| (options.clone(), FeatureEdges::new(scene, finder.topology, options))));
+        let (_, features) =
+            self.features.insert(kept.unwrap_or_else(|| {
+                (options.clone(), FeatureEdges::new(scene, finder.topology, finder.unpaired, options))
+            }));
         let drawn = drawn_edges(finder, &self.silhouette, features, options);
         mesh_strokes(scene, finder, contours, &drawn)
     }
