@@ -3,6 +3,7 @@
 use crate::facing::FaceFacings;
 use crate::id::{EdgeId, FaceId};
 use crate::topology::Topology;
+use rayon::prelude::*;
 
 /// Silhouette edges of one view, sorted by id.
 ///
@@ -10,6 +11,9 @@ use crate::topology::Topology;
 /// is one iff its faces do not all face the same way: the same rule.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct SilhouetteEdges(Vec<EdgeId>);
+
+/// Edges that a task looks at: some 0.02 ms of work.
+const EDGES_PER_TASK: usize = 8192;
 
 /// Whether an edge belongs to the silhouette of `facings`. O(faces at the edge).
 ///
@@ -33,11 +37,10 @@ pub fn is_silhouette_edge_where(topology: &Topology, mut is_front: impl FnMut(Fa
 }
 
 impl SilhouetteEdges {
-    /// The silhouette edges of any facing. O(E).
+    /// The silhouette edges of any facing. O(E), parallel.
     pub fn of(topology: &Topology, facings: &FaceFacings) -> Self {
-        let mut edges = Self::default();
-        edges.refill(topology.edges().ids().filter(|&edge| is_silhouette_edge(topology, facings, edge)));
-        edges
+        let edges = (0..topology.edge_count()).into_par_iter().with_min_len(EDGES_PER_TASK).map(EdgeId::from_usize);
+        Self(edges.filter(|&edge| is_silhouette_edge(topology, facings, edge)).collect())
     }
 
     /// Replaces the edges; `edges` in any order, duplicates allowed. O(S log S), no allocation once grown.
