@@ -124,6 +124,11 @@ impl FaceTree {
         self.along(begin, direction, false, |place| visit(self.face(place)));
     }
 
+    /// The largest extent of the scene along an axis, in world units, or somewhat more; 2 for a scene that has none.
+    pub fn extent(&self) -> f64 {
+        2.0 / self.scale
+    }
+
     fn face(&self, place: usize) -> FaceId {
         FaceId::new(self.bvh.primitive_indices[place])
     }

@@ -81,4 +81,4 @@ pub use lines::{LineStats, Lines};
 pub use options::LineOptions;
 pub use quick::{FaceIds, FaceIdsError, QuickLineFinder};
 pub use scene::{CurvePiece, LineScene, SceneError};
-pub use vertex_faces::VertexFaces;
+pub use vertex_faces::{VertexFace, VertexFaces};

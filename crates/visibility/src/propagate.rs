@@ -181,9 +181,9 @@ impl Propagation<'_> {
     fn rest_at(&self, end: &StrokeEnd) -> Layers {
         let stroke = &self.strokes.strokes[end.stroke as usize];
         let own = self.strokes.own_faces(stroke);
-        let others = self.vertex_faces.of(end.vertex).iter().copied().filter(|face| !own.contains(face));
+        let faces = self.vertex_faces.of(end.vertex);
         let mut rest = end.offset;
-        rest.add(self.sight.near_end(stroke, end.end, others), -1);
+        rest.add(self.sight.near_end(stroke, end.end, faces, |face| own.contains(&face)), -1);
         rest
     }
 

@@ -10,6 +10,7 @@ use crate::contours::Layers;
 use crate::events::Depth;
 use crate::face_tree::FaceTree;
 use crate::stroke::Stroke;
+use crate::vertex_faces::VertexFace;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::orientation::{RELATIVE_ERROR, orientation, turn};
 use silhouette_core::{FaceId, Facing, TriangleMesh, Viewpoint};
@@ -52,31 +53,36 @@ struct Target<'a> {
 /// The direction in which a stroke leaves one of its ends.
 struct Departure {
     corner: DVec3,
-    along: DVec3,
     toward_viewer: DVec3,
-    /// Across both.
+    /// Across the stroke and the line of sight.
     across: DVec3,
+    /// How far rounding may move a product with `across`.
+    error: f64,
+    /// How far rounding may move a product of two edges and the direction towards the viewer.
+    angle_error: f64,
 }
 
 impl Departure {
-    /// Whether the stroke certainly leaves a corner of a face outside of the face's angle there, in the picture. `others`
-    /// are the face's other corners in order.
+    /// Whether the stroke certainly leaves a corner of a face outside of the face's angle there, in the picture. `others` are
+    /// the face's other corners in order.
+    #[inline]
     fn leaves_beside(&self, others: [Vec3; 2]) -> bool {
         let [next, last] = others.map(|other| other.as_dvec3() - self.corner);
-        // Differences and products round alike wherever the mesh lies: within `9u` of six products each.
-        let size = |v: DVec3| v.abs().max_element();
-        let reach = size(next).max(size(last));
-        let error = 64.0 * f64::EPSILON * size(self.along) * reach * size(self.toward_viewer);
-        let certain = |value: f64, error: f64| i32::from(value > error) - i32::from(value < -error);
-        // Most faces lie on one side of the stroke's line. Of the rest, the stroke leaves one half backwards.
-        let [left, right] = [next, last].map(|other| certain(self.across.dot(other), error));
-        if left * right >= 0 {
-            return left * right > 0;
+        // Most faces lie on one side of the stroke's line.
+        let (left, right) = (self.across.dot(next), self.across.dot(last));
+        if left.min(right) > self.error || left.max(right) < -self.error {
+            return true;
         }
-        let angle = next.cross(last).dot(self.toward_viewer);
-        let angle_error = 64.0 * f64::EPSILON * reach * reach * size(self.toward_viewer);
-        certain(angle, angle_error) == left
+        // Of the rest, the stroke leaves one half backwards.
+        let sides = [left, right].map(|value| certain_sign(value, self.error));
+        let angle = certain_sign(next.cross(last).dot(self.toward_viewer), self.angle_error);
+        sides[0] * sides[1] < 0 && angle == sides[0]
     }
+}
+
+/// The sign of a value that errs by at most `error`, or 0 where that is not certain.
+fn certain_sign(value: f64, error: f64) -> i32 {
+    i32::from(value > error) - i32::from(value < -error)
 }
 
 /// A determinant that is affine in the point of the stroke.
@@ -110,15 +116,20 @@ fn sign(value: f64) -> i32 {
 }
 
 impl Sight<'_> {
+    /// From a place to the viewer, or a direction towards the viewer where the viewer is at infinity.
+    fn toward_viewer(&self, place: DVec3) -> DVec3 {
+        match self.viewpoint {
+            Viewpoint::Perspective { eye } => eye.as_dvec3() - place,
+            Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
+        }
+    }
+
     /// Layers that cut the sight line to the point at `t` of `stroke`, faces for which `is_own` holds left out.
     ///
     /// O(log F + faces along the sight line).
     pub fn look(&self, stroke: &Stroke, t: f64, is_own: impl Fn(FaceId) -> bool) -> Seen {
         let place = stroke.at(t);
-        let toward_viewer = match self.viewpoint {
-            Viewpoint::Perspective { eye } => eye.as_dvec3() - place,
-            Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
-        };
+        let toward_viewer = self.toward_viewer(place);
         let error = 4.0 * f64::EPSILON * f64::from(stroke.ends[0].abs().max(stroke.ends[1].abs()).max_element());
         let target = Target { stroke, t, place, toward_viewer, error };
         let mut seen = Seen { layers: Layers::default(), certain: true, faces: 0 };
@@ -136,24 +147,29 @@ impl Sight<'_> {
         seen
     }
 
-    /// The layers that faces around a stroke's end add in front of the stroke just inside of that end. Exact. O(faces).
-    pub fn near_end(&self, stroke: &Stroke, end: usize, faces: impl Iterator<Item = FaceId>) -> Layers {
+    /// The layers that the faces around a stroke's end add in front of the stroke just inside of that end, faces for which
+    /// `is_own` holds left out. Exact. O(faces).
+    pub fn near_end(
+        &self,
+        stroke: &Stroke,
+        end: usize,
+        faces: &[VertexFace],
+        is_own: impl Fn(FaceId) -> bool,
+    ) -> Layers {
         let departure = self.departure(stroke, end);
+        let positions = self.mesh.positions();
         let mut layers = Layers::default();
-        for face in faces {
-            let vertices = self.mesh.triangles()[face.index()];
-            let corners = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
-            let slot = vertices.iter().position(|&vertex| vertex == stroke.vertices[end]);
-            let others = slot.map(|slot| [corners[(slot + 1) % 3], corners[(slot + 2) % 3]]);
-            if !others.is_some_and(|others| departure.leaves_beside(others)) {
-                layers.add(self.covers_near_end(stroke, end, vertices, corners), 1);
+        for &VertexFace { face, others } in faces {
+            if !departure.leaves_beside(others.map(|other| positions[other as usize])) && !is_own(face) {
+                layers.add(self.covers_near_end(stroke, end, face), 1);
             }
         }
         layers
     }
 
     /// What one face adds there, by exact predicates.
-    fn covers_near_end(&self, stroke: &Stroke, end: usize, vertices: [u32; 3], corners: [Vec3; 3]) -> Layers {
+    fn covers_near_end(&self, stroke: &Stroke, end: usize, face: FaceId) -> Layers {
+        let (vertices, corners) = (self.mesh.triangles()[face.index()], self.mesh.corners(face));
         let facing = sign(turn(&self.viewpoint, corners[0], corners[1], corners[2]));
         let covers = facing != 0
             && (0..3).all(|slot| {
@@ -167,12 +183,13 @@ impl Sight<'_> {
 
     fn departure(&self, stroke: &Stroke, end: usize) -> Departure {
         let corner = stroke.ends[end].as_dvec3();
-        let toward_viewer = match self.viewpoint {
-            Viewpoint::Perspective { eye } => eye.as_dvec3() - corner,
-            Viewpoint::Orthographic { toward_viewer } => toward_viewer.as_dvec3(),
-        };
+        let toward_viewer = self.toward_viewer(corner);
         let along = stroke.ends[1 - end].as_dvec3() - corner;
-        Departure { corner, along, toward_viewer, across: toward_viewer.cross(along) }
+        // Differences and products round alike wherever the mesh lies: within `9u` of six products each.
+        let size = |v: DVec3| v.abs().max_element();
+        let scale = 64.0 * f64::EPSILON * self.tree.extent() * size(toward_viewer);
+        let (error, angle_error) = (scale * size(along), scale * self.tree.extent());
+        Departure { corner, toward_viewer, across: toward_viewer.cross(along), error, angle_error }
     }
 
     /// What a face adds in front of the target, and whether that is certain; `None` for certainly nothing.
