@@ -101,8 +101,7 @@ impl StrokeCutter<'_> {
         let CutterScratch { near, seen_by, events, stats, .. } = scratch;
         let stroke = &self.strokes.strokes[index as usize];
         near.clear();
-        self.grid.near(clipped, near);
-        stats.candidates += near.len() as u64;
+        stats.candidates += self.grid.near(clipped, self.depth, near);
         seen_by.resize(self.contours.len(), 0);
         events.clear();
         let mut touched = [false; 2];

@@ -1,7 +1,8 @@
 //! Step 3: a grid over the picture that says which contours pass near an edge.
 
+use crate::events::Depth;
 use crate::frame::{ClippedEdge, PictureFrame};
-use silhouette_core::glam::DVec2;
+use silhouette_core::glam::{DVec2, Vec4, Vec4Swizzles};
 
 /// Cells a contour: at about two, a short edge looks at few contours and the table stays as large as the contours.
 const CELLS_PER_CONTOUR: f64 = 2.0;
@@ -15,6 +16,37 @@ const MAX_CELLS: f64 = 4096.0;
 /// How far outside of its projection an edge is taken to reach, beyond its own doubt, in pixels.
 const SLACK_PX: f64 = 1e-3;
 
+/// What tells most pairs of edges apart: a rectangle of the picture that holds an edge with all of its doubt, and the depths
+/// between which it lies, rounded outwards.
+#[derive(Debug, Clone, Copy)]
+struct EdgeBox {
+    /// Left and top, and right and bottom negated.
+    sides: Vec4,
+    nearest: f32,
+    farthest: f32,
+}
+
+impl EdgeBox {
+    /// Where no edge is.
+    const NOWHERE: Self = Self { sides: Vec4::INFINITY, nearest: f32::INFINITY, farthest: f32::NEG_INFINITY };
+
+    fn of(edge: &ClippedEdge) -> Self {
+        let [from, to] = edge.pixels;
+        let (low, high) = (from.min(to) - edge.doubt_px - SLACK_PX, from.max(to) + edge.doubt_px + SLACK_PX);
+        let below = |value: f64| (value as f32).next_down();
+        Self {
+            sides: Vec4::from([low.x, low.y, -high.x, -high.y].map(below)),
+            nearest: below(edge.depths[0]),
+            farthest: -below(-edge.depths[1]),
+        }
+    }
+
+    /// Whether this edge may meet `other` in the picture, nowhere farther from the viewer if only nearer ones count.
+    fn may_meet(&self, other: &Self, depth: Depth) -> bool {
+        self.sides.cmple(-other.sides.zwxy()).all() && (depth == Depth::Any || self.nearest <= other.farthest)
+    }
+}
+
 /// Contours by cell of the picture.
 #[derive(Debug)]
 pub struct PictureGrid {
@@ -24,6 +56,8 @@ pub struct PictureGrid {
     /// Items of a cell are `items[first[cell]..first[cell + 1]]`.
     first: Vec<u32>,
     items: Vec<u32>,
+    /// Of each contour.
+    boxes: Vec<EdgeBox>,
     /// Contours whose place in the picture is too uncertain for cells: near the eye.
     everywhere: Vec<u32>,
 }
@@ -44,6 +78,7 @@ impl PictureGrid {
             scale: cells / size,
             first: vec![0; cells.x as usize * cells.y as usize + 1],
             items: Vec::new(),
+            boxes: clipped.iter().map(|edge| edge.as_ref().map_or(EdgeBox::NOWHERE, EdgeBox::of)).collect(),
             everywhere: Vec::new(),
         };
         // A counting sort: how many, where from, which.
@@ -72,16 +107,22 @@ impl PictureGrid {
         grid
     }
 
-    /// Appends all contours that may meet an edge in the picture, perhaps several times.
-    pub fn near(&self, edge: &ClippedEdge, out: &mut Vec<u32>) {
+    /// Appends all contours that may meet an edge in the picture, at a depth that counts, perhaps several times. Yields how
+    /// many were looked at.
+    pub fn near(&self, edge: &ClippedEdge, depth: Depth, out: &mut Vec<u32>) -> u64 {
         out.extend_from_slice(&self.everywhere);
-        if is_certain(edge) {
-            self.for_each_cell(edge, |cell| {
-                out.extend_from_slice(&self.items[self.first[cell] as usize..self.first[cell + 1] as usize]);
-            });
-        } else {
+        if !is_certain(edge) {
             out.extend_from_slice(&self.items);
+            return out.len() as u64;
         }
+        let mut looked_at = self.everywhere.len() as u64;
+        let wanted = EdgeBox::of(edge);
+        self.for_each_cell(edge, |cell| {
+            let items = &self.items[self.first[cell] as usize..self.first[cell + 1] as usize];
+            looked_at += items.len() as u64;
+            out.extend(items.iter().filter(|&&item| self.boxes[item as usize].may_meet(&wanted, depth)));
+        });
+        looked_at
     }
 
     /// Calls for each cell that the edge may pass, column by column.
