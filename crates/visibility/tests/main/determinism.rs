@@ -1,8 +1,8 @@
 //! The same bits whatever the threads and whatever was asked before; cancelling at any moment; bounded memory.
 
-use crate::scenes::{all_lines, builtin, directions, framing};
-use silhouette_core::glam::{DVec2, DVec3};
-use silhouette_core::{Cancelled, NoProgress, PreparedMesh, Progress};
+use crate::scenes::{all_lines, builtin, directions, framing, joined, look};
+use silhouette_core::glam::{DVec2, DVec3, Vec3};
+use silhouette_core::{Cancelled, FaceId, NoProgress, PreparedMesh, Progress};
 use silhouette_visibility::{ChainStyle, LineError, LineFinder, LineOptions, LineScene, Lines, SegmentSource};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -67,6 +67,30 @@ fn earlier_views_leave_no_trace() {
                 assert!(bits(&finder.find(camera, &options, &NoProgress).unwrap()) == expected, "{name}");
             }
         }
+    }
+}
+
+/// What is prepared for many views, and what is learnt from them, changes nothing, where meshes pass through each other too.
+#[test]
+fn what_is_known_beforehand_leaves_no_trace() {
+    let (knot, gear) = (builtin("knot"), builtin("gear"));
+    let mesh = joined(&[&knot, &gear]);
+    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+    let mut prepared = LineFinder::for_many_views(scene.clone(), &NoProgress).unwrap();
+    let mut plain = LineFinder::new(scene.clone(), &NoProgress).unwrap();
+    // From the middle of a face on, that face is left out; edges that pass through it do so all the same from elsewhere.
+    for face in (0..gear.face_count()).step_by(7).map(|face| FaceId::from_usize(knot.face_count() + face)) {
+        let eye = mesh.corners(face).into_iter().sum::<Vec3>() / 3.0;
+        for toward in [Vec3::X, Vec3::NEG_X] {
+            plain.find(&look(eye, eye + toward, 120.0, [256, 256]), &options(), &NoProgress).unwrap();
+        }
+    }
+    for direction in directions(4) {
+        let camera = framing(&mesh, direction, true);
+        let mut fresh = LineFinder::new(scene.clone(), &NoProgress).unwrap();
+        let [expected, of_prepared, of_plain] = [&mut fresh, &mut prepared, &mut plain]
+            .map(|finder| bits(&finder.find(&camera, &options(), &NoProgress).unwrap()));
+        assert!(of_prepared == expected && of_plain == expected, "from {direction}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scenes that break the usual assumptions: each yields what brute force yields, or a clear error, and never a panic.
 
 use crate::rays::{Tally, compare};
-use crate::scenes::{all_lines, builtin, directions, framing};
+use crate::scenes::{all_lines, builtin, directions, framing, joined, look};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::MAX_VIEWPORT;
 use silhouette_core::{Camera, NoProgress, PreparedMesh, Projection, Topology, TriangleMesh};
@@ -50,20 +50,9 @@ fn check_around(mesh: &TriangleMesh, views: usize, what: &str) -> Tally {
     sum
 }
 
-/// A camera at `eye` that looks at `target`.
-fn look(eye: Vec3, target: Vec3, fov_deg: f64, size: [u32; 2]) -> Camera {
-    let projection = Projection::Perspective { fov_y_rad: fov_deg.to_radians() };
-    Camera::new(eye, target, (target - eye).any_orthogonal_vector(), projection, size).unwrap()
-}
-
 fn moved(mesh: &TriangleMesh, by: Vec3) -> TriangleMesh {
     let positions = mesh.positions().iter().map(|&position| position + by).collect();
     TriangleMesh::new(positions, mesh.triangles().to_vec()).unwrap()
-}
-
-/// Meshes in one space, as the scene joins them.
-fn joined(meshes: &[&TriangleMesh]) -> TriangleMesh {
-    LineScene::of_meshes(meshes).unwrap().mesh().mesh().as_ref().clone()
 }
 
 fn turned_inside_out(mesh: &TriangleMesh, is_turned: impl Fn(usize) -> bool) -> TriangleMesh {

@@ -1,7 +1,7 @@
 //! Meshes and cameras that several tests look at.
 
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::view::Framing;
+use silhouette_core::view::{Framing, Projection};
 use silhouette_core::{Camera, NoProgress, PreparedMesh, TriangleMesh, load, shapes};
 use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines};
 use std::path::PathBuf;
@@ -43,4 +43,15 @@ pub fn directions(count: usize) -> impl Iterator<Item = DVec3> {
         let radius = (1.0 - height * height).sqrt();
         DVec3::new(radius * turn.cos(), height, radius * turn.sin())
     })
+}
+
+/// A camera at `eye` that looks at `target`.
+pub fn look(eye: Vec3, target: Vec3, fov_deg: f64, size: [u32; 2]) -> Camera {
+    let projection = Projection::Perspective { fov_y_rad: fov_deg.to_radians() };
+    Camera::new(eye, target, (target - eye).any_orthogonal_vector(), projection, size).unwrap()
+}
+
+/// Meshes in one space, as the scene joins them.
+pub fn joined(meshes: &[&TriangleMesh]) -> TriangleMesh {
+    LineScene::of_meshes(meshes).unwrap().mesh().mesh().as_ref().clone()
 }
