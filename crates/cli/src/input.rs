@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use silhouette_compare::runner::NamedMesh;
-use silhouette_core::{PreparedMesh, Progress, TriangleMesh, load, shapes};
+use silhouette_core::load::{self, LabelledMesh};
+use silhouette_core::{PreparedMesh, Progress, shapes};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,16 +12,20 @@ const BUILTIN: &str = "builtin:";
 
 /// Loads a file or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
-    let named =
-        |name: &str, mesh: TriangleMesh| NamedMesh { name: name.to_owned(), mesh: Arc::new(PreparedMesh::new(mesh)) };
+    let (name, loaded) = labelled(argument, progress)?;
+    Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh)) })
+}
+
+/// The same, with what the file calls its parts: by their materials and groups.
+fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
-        return Ok(named(argument, mesh));
+        return Ok((argument.to_owned(), LabelledMesh { mesh, labels: None }));
     }
     let path = Path::new(argument);
-    let mesh = load::load_with_progress(path, progress)?;
+    let loaded = load::load_labelled(path, progress)?;
     let name = path.file_name().map_or_else(|| argument.to_owned(), |name| name.to_string_lossy().into_owned());
-    Ok(named(&name, mesh))
+    Ok((name, loaded))
 }
 
 /// Loads all that are named, or `defaults` where none is.
@@ -30,6 +35,11 @@ pub fn meshes(arguments: &[String], defaults: &[&str], progress: &dyn Progress) 
     let mut meshes = named.iter().map(|argument| mesh(argument, progress)).collect::<Result<Vec<_>, _>>()?;
     tell_apart(&mut meshes, named);
     Ok(meshes)
+}
+
+/// Loads all that are named, each with the labels of its faces.
+pub fn labelled_meshes(arguments: &[String], progress: &dyn Progress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
+    arguments.iter().map(|argument| labelled(argument, progress)).collect()
 }
 
 /// Files of the same name in several folders go by their paths, as they were given.

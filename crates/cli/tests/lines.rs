@@ -151,3 +151,30 @@ fn the_quick_mode_finds_a_cubes_outline() {
     let refused = run(&["lines", "builtin:cube", "--quick", "--hidden"]);
     assert_eq!(refused.status.code(), Some(2));
 }
+
+/// A strip of two squares in one plane, of two materials, its vertices given for each square anew.
+#[test]
+fn borders_of_materials_are_drawn_where_seams_are_welded() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("strip.obj");
+    let rows = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n";
+    std::fs::write(&path, format!("{rows}usemtl red\nf 1 2 3 4\nusemtl blue\nf 5 6 7 8\n")).unwrap();
+    let path = path.to_str().unwrap();
+    let kinds = |arguments: &[&str]| {
+        let words = [&[path, "--view", "front"], arguments].concat();
+        let found: Value = serde_json::from_str(&lines_json(&words)).unwrap();
+        let chains = found["chains"].as_array().unwrap();
+        let length = |kind: &str| -> usize {
+            let of_kind = chains.iter().filter(|chain| chain["kind"] == kind);
+            of_kind.map(|chain| chain["edges"].as_array().unwrap().len()).sum()
+        };
+        (length("boundary"), length("material"))
+    };
+    assert_eq!(kinds(&[]), (8, 0), "the seam is a boundary of both squares");
+    assert_eq!(kinds(&["--weld"]), (6, 0));
+    assert_eq!(kinds(&["--weld", "--materials"]), (6, 1));
+    assert_eq!(kinds(&["--weld=0.001", "--materials"]), (6, 1));
+    let output = silhouettes(&["lines", "builtin:cube", "--materials"]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("builtin:cube: all faces are of one material and group"), "{told}");
+}

@@ -27,11 +27,14 @@ pub struct LinesArguments {
     /// it within a pixel of a visible line; needs an adapter
     #[arg(long, conflicts_with_all = ["hidden", "outline", "intersections"])]
     pub quick: bool,
+    /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries [--weld alone: 0]
+    #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
+    pub weld: Option<f32>,
     /// Say on standard error what was found, how long each stage took and how far the lifted pen travels
     #[arg(long)]
     pub stats: bool,
     #[command(flatten)]
-    which: WhichLines,
+    pub which: WhichLines,
     #[command(flatten)]
     page: PageArguments,
     #[command(flatten)]
@@ -43,7 +46,7 @@ pub struct LinesArguments {
 /// Which lines are drawn besides silhouettes and boundaries.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Lines")]
-struct WhichLines {
+pub struct WhichLines {
     /// Hidden lines, too, in layers of their own: dashed, solid or drop [default: drop; --hidden alone: dashed]
     #[arg(long, value_enum, value_name = "HOW", num_args = 0..=1, require_equals = true, default_missing_value = "dashed")]
     hidden: Option<HiddenArgument>,
@@ -56,6 +59,9 @@ struct WhichLines {
     /// Valleys whose faces bend by at least this angle
     #[arg(long, value_name = "DEG", value_parser = bend)]
     valley: Option<f64>,
+    /// Edges between faces of different materials or groups (OBJ: usemtl and g; glTF: materials, with --weld)
+    #[arg(long)]
+    pub materials: bool,
     /// Every edge of the mesh
     #[arg(long)]
     all_edges: bool,
@@ -195,7 +201,7 @@ impl LinesArguments {
             back_boundary: others,
             ridge_deg: which.creases.or(which.ridge).filter(|_| others),
             valley_deg: which.creases.or(which.valley).filter(|_| others),
-            material: others,
+            material: which.materials && others,
             intersection: which.intersections && others,
             mesh: which.all_edges && others,
             curves: others,

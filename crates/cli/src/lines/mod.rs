@@ -10,12 +10,12 @@ use crate::failure::{Failure, note};
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
-use silhouette_compare::runner::NamedMesh;
+use silhouette_core::load::LabelledMesh;
+use silhouette_core::weld::weld_within;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, GltfContainer, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
 use std::path::Path;
-use std::sync::Arc;
 use std::time::Instant;
 
 /// The formats that lines are written in.
@@ -45,10 +45,10 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
-    let meshes = input::meshes(&arguments.meshes, &[], &progress)?;
-    let scene = scene_of(&meshes)?;
+    let meshes = meshes(arguments, &progress)?;
+    let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+    let scene = scene_of(&meshes, arguments.which.materials, &names)?;
     let bounds = scene.mesh().mesh().bounds();
-    let names = meshes.iter().map(|mesh| mesh.name.as_str()).collect::<Vec<_>>().join(", ");
     let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
     let camera = arguments.camera.camera(&bounds)?;
     options.check(&camera).map_err(of_plotting)?;
@@ -82,25 +82,46 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     output.write(&bytes)
 }
 
-/// One mesh keeps what is already known of it; several become one.
-fn scene_of(meshes: &[NamedMesh]) -> Result<LineScene, Failure> {
-    if let [only] = meshes {
-        return Ok(LineScene::new(Arc::clone(&only.mesh)));
+/// The meshes with their names, welded if that is asked for.
+fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
+    let mut meshes = input::labelled_meshes(&arguments.meshes, progress)?;
+    if let Some(distance) = arguments.weld {
+        for (_, loaded) in &mut meshes {
+            let welded = weld_within(&loaded.mesh, distance);
+            loaded.mesh = welded.map_err(|error| Failure::Input(format!("--weld: {error}")))?.mesh;
+        }
     }
-    let meshes: Vec<&TriangleMesh> = meshes.iter().map(|mesh| &**mesh.mesh.mesh()).collect();
-    LineScene::of_meshes(&meshes).map_err(Failure::input)
+    Ok(meshes)
 }
 
-/// The document, with each object's vertices numbered as in its own file.
+/// All meshes as one scene, with the labels of their faces if borders between them are wanted.
+fn scene_of(meshes: &[(String, LabelledMesh)], wants_labels: bool, names: &str) -> Result<LineScene, Failure> {
+    let only: Vec<&TriangleMesh> = meshes.iter().map(|(_, loaded)| &loaded.mesh).collect();
+    let scene = LineScene::of_meshes(&only).map_err(Failure::input)?;
+    if !wants_labels {
+        return Ok(scene);
+    }
+    if meshes.iter().all(|(_, loaded)| loaded.labels.is_none()) {
+        note(format!("{names}: all faces are of one material and group; --materials adds no line"));
+    }
+    // Faces of different meshes have no edge in common, so that their labels may be equal.
+    let labels = meshes.iter().flat_map(|(_, loaded)| {
+        let none = || vec![0; loaded.mesh.face_count()];
+        loaded.labels.clone().unwrap_or_else(none)
+    });
+    scene.with_labels(labels.collect()).map_err(Failure::input)
+}
+
+/// The document, with each object's vertices numbered as in its own file, or as welded.
 fn json(
     lines: &Lines,
     options: &PlotOptions,
     scene: &LineScene,
-    meshes: &[NamedMesh],
+    meshes: &[(String, LabelledMesh)],
     progress: &TerminalProgress,
 ) -> Result<Vec<u8>, Failure> {
     let topology = scene.mesh().artefact::<Topology>("lines", progress)?;
-    let counts = meshes.iter().map(|mesh| mesh.mesh.mesh().vertex_count() as u32);
+    let counts = meshes.iter().map(|(_, loaded)| loaded.mesh.vertex_count() as u32);
     let firsts: Vec<u32> = counts
         .scan(0, |next, count| {
             let first = *next;

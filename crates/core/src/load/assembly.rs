@@ -5,11 +5,23 @@ use super::polygon::fan;
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
 
+/// A mesh, and how its file sorts the faces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LabelledMesh {
+    /// The mesh.
+    pub mesh: TriangleMesh,
+    /// A number for each face, the same for faces of one material and one group; `None` where the file makes no
+    /// difference between any two.
+    pub labels: Option<Vec<u32>>,
+}
+
 /// A mesh under construction.
 #[derive(Default)]
 pub(super) struct Assembly {
     pub(super) positions: Vec<Vec3>,
     pub(super) triangles: Vec<[u32; 3]>,
+    /// From which triangle on which label holds; 0 before the first.
+    label_runs: Vec<(usize, u32)>,
 }
 
 impl Assembly {
@@ -22,12 +34,35 @@ impl Assembly {
         Ok(())
     }
 
+    /// Says which label the triangles have that follow.
+    pub(super) fn begin_label(&mut self, label: u32) {
+        if self.label_runs.last().map_or(0, |&(_, last)| last) != label {
+            self.label_runs.push((self.triangles.len(), label));
+        }
+    }
+
     /// The finished mesh.
-    pub(super) fn finish(self) -> Result<TriangleMesh, Located> {
+    pub(super) fn finish(self) -> Result<LabelledMesh, Located> {
         if self.triangles.is_empty() {
             return Err(Problem::NoFaces.into());
         }
-        Ok(TriangleMesh::new(self.positions, self.triangles)?)
+        let labels = self.labels();
+        Ok(LabelledMesh { mesh: TriangleMesh::new(self.positions, self.triangles)?, labels })
+    }
+
+    /// The label of each triangle, if there are two.
+    fn labels(&self) -> Option<Vec<u32>> {
+        let mut labels = Vec::new();
+        if !self.label_runs.is_empty() {
+            labels.reserve_exact(self.triangles.len());
+        }
+        let ends = self.label_runs.iter().skip(1).map(|&(begin, _)| begin).chain([self.triangles.len()]);
+        for (&(begin, label), end) in self.label_runs.iter().zip(ends) {
+            labels.resize(begin, 0);
+            labels.resize(end, label);
+        }
+        let first = *labels.first()?;
+        labels.iter().any(|&label| label != first).then_some(labels)
     }
 }
 

@@ -14,10 +14,9 @@ mod buffers;
 
 use self::accessor::{indices, most_elements, positions};
 use self::buffers::Buffers;
-use super::assembly::{Assembly, vertex_id};
+use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Place, Problem, quote};
 use super::polygon::{fan, strip};
-use crate::mesh::TriangleMesh;
 use crate::progress::Progress;
 use ::gltf::json::accessor::Accessor;
 use ::gltf::json::mesh::{Mode, Primitive, Semantic};
@@ -38,7 +37,7 @@ const UNFOLDING: u64 = 1024;
 
 /// Reads a glTF or GLB file. External buffers are looked up in `folder`; without one they are refused. O(bytes +
 /// triangles).
-pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress) -> Result<TriangleMesh, Located> {
+pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress) -> Result<LabelledMesh, Located> {
     let (json, blob) = buffers::split(bytes)?;
     let root: Root = ::gltf::json::deserialize::from_slice(json).map_err(|error| {
         let found = error.to_string();
@@ -121,6 +120,8 @@ struct Surface {
     mode: Mode,
     positions: Index<Accessor>,
     indices: Option<Index<Accessor>>,
+    /// One more than its material's index, 0 without a material.
+    label: u32,
 }
 
 impl Surface {
@@ -131,7 +132,8 @@ impl Surface {
         };
         let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions)).copied();
         let positions = positions.filter(|_| matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan));
-        Ok(positions.map(|positions| Self { mode, positions, indices: primitive.indices }))
+        let label = primitive.material.map_or(0, |material| material.value() as u32 + 1);
+        Ok(positions.map(|positions| Self { mode, positions, indices: primitive.indices, label }))
     }
 }
 
@@ -214,6 +216,7 @@ impl SceneReader<'_> {
         let base = u32::try_from(first).unwrap_or(u32::MAX);
         let corners = self.rebase(&corners, base, vertices)?;
         let from = self.assembly.triangles.len();
+        self.assembly.begin_label(surface.label);
         match surface.mode {
             Mode::TriangleStrip => strip(&corners, &mut self.assembly.triangles),
             Mode::TriangleFan => fan(&corners, &mut self.assembly.triangles),

@@ -2,15 +2,16 @@
 //!
 //! | format | vertex ids | read |
 //! |---|---|---|
-//! | OBJ | `v` rows | `v`, `f`; groups and objects never renumber |
+//! | OBJ | `v` rows | `v`, `f`, `usemtl`, `g`; groups and objects never renumber |
 //! | PLY | rows of `vertex` | text and binary; `face`, `tristrips` |
 //! | OFF | vertex rows | text; `[ST][C][N]OFF` |
 //! | STL | equal positions joined, in order of appearance | text and binary |
 //! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied |
 //!
 //! Unreferenced vertices are kept. Polygons are fanned from their first corner. Texture and normal seams never split a
-//! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. What a vertex or face
-//! carries besides (normals, colours, materials) is passed over. To join coincident vertices see [`crate::weld`].
+//! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. Which faces are of one
+//! material and group (OBJ's `usemtl` and `g`, glTF's materials) [`load_labelled`] tells; what a vertex or face carries
+//! besides (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
 //!
 //! Bad files are refused with a [`LoadError`] that names the place and the mend. Memory is never taken on a header's
 //! word alone: no more than a small multiple of the bytes that are really there, except for a glTF scene that places
@@ -39,6 +40,7 @@ mod steps;
 #[cfg(feature = "stl")]
 mod stl;
 
+pub use assembly::LabelledMesh;
 pub use error::{LoadError, Place, Problem};
 
 use self::error::Located;
@@ -120,6 +122,14 @@ pub fn load(path: &Path) -> Result<TriangleMesh, LoadError> {
 /// # Errors
 /// [`LoadError`]; [`LoadError::is_cancelled`] tells a stop from a bad file.
 pub fn load_with_progress(path: &Path, progress: &dyn Progress) -> Result<TriangleMesh, LoadError> {
+    load_labelled(path, progress).map(|labelled| labelled.mesh)
+}
+
+/// Like [`load_with_progress`], also telling which faces are of one material and group.
+///
+/// # Errors
+/// [`LoadError`] as for [`load_with_progress`].
+pub fn load_labelled(path: &Path, progress: &dyn Progress) -> Result<LabelledMesh, LoadError> {
     let load = || {
         let Some(format) = Format::of(path) else {
             if path.is_dir() {
@@ -140,6 +150,19 @@ pub fn load_with_progress(path: &Path, progress: &dyn Progress) -> Result<Triang
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`].
 pub fn read(format: Format, name: &str, bytes: &[u8], progress: &dyn Progress) -> Result<TriangleMesh, LoadError> {
+    read_labelled(format, name, bytes, progress).map(|labelled| labelled.mesh)
+}
+
+/// Like [`read()`], also telling which faces are of one material and group.
+///
+/// # Errors
+/// [`LoadError`] as for [`load_with_progress`].
+pub fn read_labelled(
+    format: Format,
+    name: &str,
+    bytes: &[u8],
+    progress: &dyn Progress,
+) -> Result<LabelledMesh, LoadError> {
     read_beside(format, bytes, None, progress).map_err(|located| located.in_file(Path::new(name)))
 }
 
@@ -150,13 +173,13 @@ fn read_beside(
     #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
     folder: Option<&Path>,
     progress: &dyn Progress,
-) -> Result<TriangleMesh, Located> {
+) -> Result<LabelledMesh, Located> {
     progress.check()?;
     if bytes.is_empty() {
         return Err(Problem::Empty.into());
     }
     let mut steps = Steps::begin(progress, "parsing", bytes.len());
-    let read: Result<TriangleMesh, Located> = match format {
+    let read: Result<LabelledMesh, Located> = match format {
         #[cfg(feature = "obj")]
         Format::Obj => obj::read(bytes, &mut steps),
         #[cfg(feature = "ply")]
@@ -170,9 +193,9 @@ fn read_beside(
         #[cfg(not(all(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")))]
         format => Err(Problem::FeatureOff { format }.into()),
     };
-    let mesh = read?;
+    let labelled = read?;
     steps.report(bytes.len())?;
-    Ok(mesh)
+    Ok(labelled)
 }
 
 /// Bytes read from a file at a time: large enough that the system call costs nothing, small enough to stop at.

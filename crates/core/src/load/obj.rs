@@ -1,18 +1,18 @@
-//! Wavefront OBJ: `v` rows and `f` rows; every other row is passed over.
+//! Wavefront OBJ: `v` rows and `f` rows; `usemtl` and `g` rows, whose names make labels; every other row is passed over.
 //!
 //! A vertex id is the rank of its `v` row, whatever groups and objects stand between. Of a corner `v/vt/vn` only `v`
 //! counts. A face may name vertices by number from 1, in rows that come later too, or backwards from the row reached so
 //! far (-1 is the vertex last read). A `\` at the end of a row joins the next one to it.
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem};
 use super::lines::{Lines, Words};
 use super::steps::Steps;
-use crate::mesh::TriangleMesh;
 use glam::Vec3;
+use std::collections::HashMap;
 
 /// Reads an OBJ file. O(bytes).
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut lines = Lines::new(bytes)?;
     let mut joined = Vec::new();
     let mut reader = Reader::default();
@@ -50,6 +50,49 @@ struct Reader {
     faces: u64,
     /// The highest vertex number that was named before its row was read.
     ahead: Option<Ahead>,
+    sorts: Sorts,
+}
+
+/// What tells faces apart besides their corners.
+#[derive(Default)]
+struct Sorts {
+    /// The numbers of the material and of the groups that hold for the faces to come; 0 where none was named.
+    current: [u32; 2],
+    has_changed: bool,
+    /// Numbers from 1 of the materials and of the groups named so far.
+    numbers: [HashMap<Vec<u8>, u32>; 2],
+    /// The label of each pair that a face had, in order of appearance.
+    labels: HashMap<[u32; 2], u32>,
+}
+
+const MATERIAL: usize = 0;
+const GROUPS: usize = 1;
+
+impl Sorts {
+    /// Changes the material or the groups to what a row names.
+    fn name(&mut self, which: usize, mut words: Words<'_>) {
+        let mut name = Vec::new();
+        while !words.is_empty() {
+            let word = words.word();
+            if word.starts_with(b"#") {
+                break;
+            }
+            name.extend_from_slice(word);
+            name.push(b' ');
+        }
+        let next = self.numbers[which].len() as u32 + 1;
+        self.current[which] = if name.is_empty() { 0 } else { *self.numbers[which].entry(name).or_insert(next) };
+        self.has_changed = true;
+    }
+
+    /// The label of the next face, if it may be another than that of the last.
+    fn changed_label(&mut self) -> Option<u32> {
+        if !std::mem::replace(&mut self.has_changed, false) {
+            return None;
+        }
+        let next = self.labels.len() as u32 + 1;
+        Some(if self.current == [0; 2] { 0 } else { *self.labels.entry(self.current).or_insert(next) })
+    }
 }
 
 /// A vertex named before its row.
@@ -64,6 +107,14 @@ impl Reader {
         match words.word() {
             b"v" => self.vertex(words),
             b"f" => self.face(words),
+            b"usemtl" => {
+                self.sorts.name(MATERIAL, words);
+                Ok(())
+            }
+            b"g" => {
+                self.sorts.name(GROUPS, words);
+                Ok(())
+            }
             _ => Ok(()),
         }
     }
@@ -86,6 +137,9 @@ impl Reader {
             }
             let vertex = self.resolve(corner, words.line())?;
             self.corners.push(vertex);
+        }
+        if let Some(label) = self.sorts.changed_label() {
+            self.assembly.begin_label(label);
         }
         self.assembly.polygon(self.faces, &self.corners).map_err(|problem| problem.at_line(words.line()))?;
         self.faces += 1;
@@ -119,7 +173,7 @@ impl Reader {
         Problem::VertexOutOfRange { face, index, allowed }
     }
 
-    fn finish(self) -> Result<TriangleMesh, Located> {
+    fn finish(self) -> Result<LabelledMesh, Located> {
         if let Some(ahead) = &self.ahead
             && ahead.number > self.assembly.positions.len() as i64
         {

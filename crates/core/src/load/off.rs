@@ -4,11 +4,10 @@
 //! What follows a vertex's three coordinates (normal, colour, texture coordinates) and a face's corners (colour) is
 //! passed over. `#` begins a comment anywhere.
 
-use super::assembly::{Assembly, check_promise, vertex_id};
+use super::assembly::{Assembly, LabelledMesh, check_promise, vertex_id};
 use super::error::{Located, Problem};
 use super::lines::{Lines, Words};
 use super::steps::Steps;
-use crate::mesh::TriangleMesh;
 use glam::Vec3;
 
 /// Least bytes of a vertex row, `0 0 0` and the line end.
@@ -19,7 +18,7 @@ const LEAST_FACE: u64 = 2;
 const LEAST_TRIANGLE: usize = 8;
 
 /// Reads an OFF file. O(bytes).
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut lines = Lines::new(bytes)?;
     let mut counts = counts_row(&mut lines)?;
     let vertices = count(&mut counts, "the number of vertices")?;

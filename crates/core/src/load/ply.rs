@@ -9,16 +9,15 @@ mod values;
 
 use self::header::{Element, Encoding, Header, Property, Role};
 use self::values::{BinaryValues, TextValues, Values};
-use super::assembly::{Assembly, check_promise, vertex_id};
+use super::assembly::{Assembly, LabelledMesh, check_promise, vertex_id};
 use super::error::{Located, Problem, quote};
 use super::lines::Lines;
 use super::polygon::strip;
 use super::steps::Steps;
-use crate::mesh::TriangleMesh;
 use glam::Vec3;
 
 /// Reads a PLY file. O(bytes).
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut lines = Lines::new(bytes)?;
     let header = Header::read(&mut lines)?;
     match header.encoding {
@@ -28,7 +27,7 @@ pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, 
     }
 }
 
-fn read_elements<V: Values>(header: &Header, values: &mut V, steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+fn read_elements<V: Values>(header: &Header, values: &mut V, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut body = Body { assembly: Assembly::default(), corners: Vec::new(), vertices: header.vertices };
     for element in &header.elements {
         let least = V::least_row(element);

@@ -3,11 +3,10 @@
 //! The format has no vertex numbers, so a vertex id is the rank of its position's first appearance; 0.0 and -0.0 are
 //! the same position. Stored normals and attribute bytes are passed over: facing follows from the winding.
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem, quote};
 use super::lines::{Lines, Words};
 use super::steps::Steps;
-use crate::mesh::TriangleMesh;
 use crate::weld::ExactPositions;
 use glam::Vec3;
 
@@ -21,7 +20,7 @@ const CORNERS: usize = 12;
 const PROBE: usize = 1024;
 
 /// Reads an STL file. O(bytes) expected, by hashing of positions.
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     if is_text(bytes) { read_text(bytes, steps) } else { read_binary(bytes, steps) }
 }
 
@@ -42,7 +41,7 @@ fn binary_length(count: u32) -> u64 {
     HEADER as u64 + TRIANGLE as u64 * u64::from(count)
 }
 
-fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let found = bytes.len() as u64;
     let Some(count) = triangle_count(bytes) else {
         return Err(Problem::Truncated { within: "the STL header", needed: HEADER as u64, found }.at_byte(0));
@@ -68,7 +67,7 @@ fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Loca
 }
 
 /// Text, row by row; several solids one after another are one mesh.
-fn read_text(bytes: &[u8], steps: &mut Steps<'_>) -> Result<TriangleMesh, Located> {
+fn read_text(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut lines = Lines::new(bytes)?;
     let mut joiner = Joiner::default();
     let mut corners: Vec<u32> = Vec::new();

@@ -1,12 +1,17 @@
 //! What the tests of all formats share.
 
 use silhouette_core::glam::Vec3;
-use silhouette_core::load::{Format, LoadError, read};
+use silhouette_core::load::{Format, LoadError, read, read_labelled};
 use silhouette_core::{NoProgress, TriangleMesh};
 
 /// Reads bytes that should be a mesh.
 pub fn accepted(format: Format, bytes: impl AsRef<[u8]>) -> TriangleMesh {
     read(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The labels of the faces of bytes that should be a mesh.
+pub fn labels(format: Format, bytes: impl AsRef<[u8]>) -> Option<Vec<u32>> {
+    read_labelled(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}")).labels
 }
 
 /// Reads bytes that should be refused.

@@ -1,4 +1,4 @@
-use crate::expectations::{SQUARE, accepted, assert_square, positions};
+use crate::expectations::{SQUARE, accepted, assert_square, labels, positions};
 use base64::Engine as _;
 use silhouette_core::load::{Format::Gltf, load};
 
@@ -128,6 +128,17 @@ fn indices_of_all_widths_are_read() {
     for component in [5121, 5123, 5125] {
         assert_square(&accepted(Gltf, square(component).glb()));
     }
+}
+
+#[test]
+fn materials_label_faces() {
+    let mut document = Document::default();
+    let positions = document.positions(&SQUARE);
+    let faces = document.indices(5125, &[0, 1, 2]);
+    for material in ["", r#","material":1"#, r#","material":0"#] {
+        document.mesh(positions, &format!(r#","indices":{faces}{material}"#));
+    }
+    assert_eq!(labels(Gltf, document.embedded()), Some(vec![0, 2, 1]));
 }
 
 #[test]

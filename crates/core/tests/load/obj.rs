@@ -1,4 +1,4 @@
-use crate::expectations::{accepted, assert_refused, assert_square, positions, refused, square_rows};
+use crate::expectations::{accepted, assert_refused, assert_square, labels, positions, refused, square_rows};
 use silhouette_core::load::{Format::Obj, Place, Problem};
 
 fn square(faces: &str) -> String {
@@ -22,6 +22,19 @@ fn texture_and_normal_numbers_do_not_split_vertices() {
 fn groups_objects_and_materials_do_not_renumber() {
     let rows = "o one\nusemtl red\nf 1 2 3\ng two\ns 1\no three\nf 1 3 4\n";
     assert_square(&accepted(Obj, square(rows)));
+}
+
+#[test]
+fn materials_and_groups_label_faces() {
+    let label = |rows: &str| labels(Obj, square(rows));
+    assert_eq!(label("f 1 2 3\nusemtl red\nf 1 3 4\n"), Some(vec![0, 1]));
+    assert_eq!(
+        label("usemtl red # bright\nf 1 2 3 4\ng left\nf 1 2 3\nusemtl red\ng\nf 1 3 4\n"),
+        Some(vec![1, 1, 2, 1])
+    );
+    assert_eq!(label("g a b\nf 1 2 3\ng a  b\nf 1 3 4\n"), None, "names are words");
+    assert_eq!(label("f 1 2 3\nusemtl red\ng far\nusemtl\ng\nf 1 3 4\n"), None, "names that no face had");
+    assert_eq!(label("o one\nf 1 2 3\no two\nf 1 3 4\n"), None, "objects are no groups");
 }
 
 #[test]
