@@ -6,7 +6,7 @@ use crate::input;
 use crate::output::{Output, check_writable};
 use crate::progress::TerminalProgress;
 use silhouette_compare::record::Profile;
-use silhouette_compare::reproduce::{image_precision, tracking};
+use silhouette_compare::reproduce::{check_target, image_precision, tracking};
 use silhouette_core::method::PrepareError;
 use silhouette_render::{AdapterChoice, Gpu};
 use std::path::Path;
@@ -31,19 +31,14 @@ pub fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
 }
 
 fn run_tracking(arguments: &ReproduceArguments, directory: &Path) -> Result<(), Failure> {
-    tracking::check_target(directory).map_err(Failure::input)?;
+    check_target(directory).map_err(Failure::input)?;
     check_writable(directory)?;
     let progress = TerminalProgress::new();
     let meshes = input::meshes(&arguments.meshes, &TRACKING_MESHES, &progress)?;
     if arguments.meshes.is_empty() {
         failure::note("the paper's bunny is not shipped; name its file to have its rows beside the paper's");
     }
-    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(|error| error.to_string());
-    if let Err(why) = &gpu {
-        failure::note(format!("visible length stays unknown: {why}"));
-    }
-    let gpu = gpu.as_ref().map_err(String::as_str);
-    let reproduction = tracking::run(arguments.profile.into(), &meshes, gpu, &progress).map_err(tracking_failed)?;
+    let reproduction = tracking::run(arguments.profile.into(), &meshes, &progress).map_err(tracking_failed)?;
     tracking::write(&reproduction, directory).map_err(Failure::run)?;
     let mut table = Vec::new();
     tracking::table::write_table(&reproduction, &mut table).map_err(Failure::run)?;
@@ -51,7 +46,7 @@ fn run_tracking(arguments: &ReproduceArguments, directory: &Path) -> Result<(), 
 }
 
 fn run_image_precision(arguments: &ReproduceArguments, directory: &Path) -> Result<(), Failure> {
-    tracking::check_target(directory).map_err(Failure::input)?;
+    check_target(directory).map_err(Failure::input)?;
     check_writable(directory)?;
     let progress = TerminalProgress::new();
     let meshes = input::meshes(&arguments.meshes, &IMAGE_PRECISION_MESHES, &progress)?;

@@ -28,4 +28,4 @@ pub mod visible;
 pub mod write;
 
 pub use measure::{MeshResult, ReproduceError, Reproduction, VariantResult, run};
-pub use write::{check_target, write};
+pub use write::write;

@@ -45,7 +45,7 @@ pub fn cells(mesh: &MeshResult, result: &VariantResult) -> [String; 8] {
         missed(result.missed.edges.percent()),
         missed(result.missed.loops.percent()),
         missed(result.missed.length.percent()),
-        result.missed_visible.map_or_else(|| "–".to_owned(), missed),
+        missed(result.missed_visible),
     ]
 }
 
@@ -79,9 +79,6 @@ pub fn write_table(reproduction: &Reproduction, mut out: impl Write) -> io::Resu
     writeln!(out, "{program}; {machine}")?;
     for mesh in &reproduction.meshes {
         writeln!(out, "\n{}: {}", mesh.name, describe(mesh))?;
-        if let Some(why) = &mesh.without_visible {
-            writeln!(out, "visible length is not known: {why}")?;
-        }
         let head = |text: fn(&Column) -> &'static str| COLUMNS.each_ref().map(text);
         write_line(&mut out, "", head(|column| column.title))?;
         write_line(&mut out, "", head(|column| column.unit))?;
@@ -114,11 +111,11 @@ mod tests {
         write_table(reproduction(), &mut out).unwrap();
         let text = String::from_utf8(out).unwrap();
         let variants = reproduction().meshes[0].variants.len();
-        assert_eq!(text.lines().count(), 2 + 2 * (5 + variants));
+        assert_eq!(text.lines().count(), 2 + 2 * (4 + variants));
         let row = text.lines().find(|line| line.starts_with("brute force (Hall)")).unwrap();
         let cells: Vec<&str> = row["brute force (Hall)".len()..].split_whitespace().collect();
         assert_eq!((cells.len(), cells[0], cells[1], cells[2]), (8, "–", "1.00", "1.00"));
-        assert_eq!(cells[4..], ["0", "0", "0", "–"]);
+        assert_eq!(cells[4..], ["0"; 4]);
         let length = |line: &str| line.chars().count();
         assert!(text.lines().filter(|line| line.contains("N = ")).all(|line| length(line) == length(row)), "{text}");
     }
@@ -136,9 +133,9 @@ mod tests {
     fn small_shares_are_not_rounded_to_nothing() {
         let mesh = &reproduction().meshes[0];
         let mut result = mesh.variants[0].clone();
-        result.missed_visible = Some(0.001);
+        result.missed_visible = 0.001;
         assert_eq!(cells(mesh, &result)[7], "< 0.01");
-        result.missed_visible = Some(12.345);
+        result.missed_visible = 12.345;
         assert_eq!(cells(mesh, &result)[7], "12.35");
     }
 }
