@@ -16,6 +16,9 @@ const EDGES_PER_WORD: usize = u64::BITS as usize;
 /// Words that a task fills: some ms of work.
 const WORDS_PER_TASK: usize = 32;
 
+/// Faces that are looked at for an edge, on the mean, before the rest is given up. On a surface it is about a dozen.
+const MOST_FACES_AN_EDGE: u64 = 256;
+
 /// How a segment meets a face.
 #[derive(Debug, Clone, Copy)]
 pub struct Meeting {
@@ -28,29 +31,41 @@ pub struct Meeting {
     pub passage: Option<Passage>,
 }
 
-/// Visits the meetings of a segment with faces, those left out for which `is_own` holds. `vertices` are the segment's, or
-/// numbers that no vertex of the mesh has. Exact but for `touched`, which may tell of a point beside a corner in the face's
-/// plane. O(log F + faces around it).
-pub fn meetings(
-    mesh: &TriangleMesh,
-    tree: &FaceTree,
-    ends: [Vec3; 2],
-    vertices: [u32; 2],
-    is_own: impl Fn(FaceId) -> bool,
-    mut visit: impl FnMut(Meeting),
-) {
-    tree.faces_at(ends[0], ends[1], |face| {
-        if is_own(face) {
-            return;
-        }
-        let (of_face, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
-        let shared = vertices.map(|vertex| of_face.contains(&vertex));
-        let touched = [0, 1].map(|end: usize| !shared[end] && touches(ends[end], corners));
-        let passage = if shared == [false; 2] { passage(ends, corners) } else { None };
-        if touched != [false; 2] || passage.is_some() {
-            visit(Meeting { face, touched, passage });
-        }
-    });
+/// A segment that may meet faces.
+#[derive(Debug, Clone, Copy)]
+pub struct Segment {
+    /// Its ends.
+    pub ends: [Vec3; 2],
+    /// The mesh's vertices at its ends, or numbers that no vertex of the mesh has.
+    pub vertices: [u32; 2],
+}
+
+impl Segment {
+    /// Visits its meetings with faces, those left out for which `is_own` holds; yields how many faces were looked at. Exact but
+    /// for `touched`, which may tell of a point beside a corner in the face's plane. O(log F + faces around it).
+    pub fn for_each_meeting(
+        &self,
+        mesh: &TriangleMesh,
+        tree: &FaceTree,
+        is_own: impl Fn(FaceId) -> bool,
+        mut visit: impl FnMut(Meeting),
+    ) -> u64 {
+        let mut looked_at = 0;
+        tree.faces_at(self.ends[0], self.ends[1], |face| {
+            looked_at += 1;
+            if is_own(face) {
+                return;
+            }
+            let (of_face, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
+            let shared = self.vertices.map(|vertex| of_face.contains(&vertex));
+            let touched = [0, 1].map(|end: usize| !shared[end] && touches(self.ends[end], corners));
+            let passage = if shared == [false; 2] { passage(self.ends, corners) } else { None };
+            if touched != [false; 2] || passage.is_some() {
+                visit(Meeting { face, touched, passage });
+            }
+        });
+        looked_at
+    }
 }
 
 /// Mesh edges that are known to meet no face but those at their vertices: a bit an edge.
@@ -63,7 +78,8 @@ impl ClearEdges {
         Self((0..edges.div_ceil(EDGES_PER_WORD)).map(|_| AtomicU64::new(0)).collect())
     }
 
-    /// All clear edges of a mesh. O(E log F), parallel.
+    /// All clear edges of a mesh, unless very many faces lie in one place: then what is not known soon is left to the views
+    /// that need it. O(E log F), parallel.
     ///
     /// # Errors
     /// [`Cancelled`] when `progress` says so.
@@ -75,17 +91,23 @@ impl ClearEdges {
     ) -> Result<Self, Cancelled> {
         let edges = topology.edge_count();
         let known = Self::new(edges);
+        let most = MOST_FACES_AN_EDGE * edges as u64;
+        let looked_at = AtomicU64::new(0);
         progress.stage("clear edges", known.0.len() as u64);
         let words = (0..known.0.len()).into_par_iter().with_min_len(WORDS_PER_TASK);
         words.try_for_each(|word| {
             progress.check()?;
-            let of_word = word * EDGES_PER_WORD..edges.min((word + 1) * EDGES_PER_WORD);
-            for edge in of_word.map(EdgeId::from_usize) {
+            for edge in word * EDGES_PER_WORD..edges.min((word + 1) * EDGES_PER_WORD) {
+                if looked_at.load(Ordering::Relaxed) > most {
+                    break;
+                }
+                let edge = EdgeId::from_usize(edge);
                 let vertices = topology.edges()[edge];
-                let ends = vertices.map(|vertex| mesh.positions()[vertex as usize]);
+                let segment = Segment { ends: vertices.map(|vertex| mesh.positions()[vertex as usize]), vertices };
                 let mut is_clear = true;
                 let is_own = |face| topology.faces(edge).any(|own| own == face);
-                meetings(mesh, tree, ends, vertices, is_own, |_| is_clear = false);
+                let faces = segment.for_each_meeting(mesh, tree, is_own, |_| is_clear = false);
+                looked_at.fetch_add(faces, Ordering::Relaxed);
                 if is_clear {
                     known.insert(edge);
                 }
@@ -136,5 +158,22 @@ mod tests {
         assert_eq!(others, [[1, 2], [3, 5]], "one of either passes through the other");
         let (_, others) = clear_edges(Vec3::ZERO);
         assert_eq!(others, [[3, 5], [4, 5]], "both end on the face");
+    }
+
+    /// Very many faces in one place, and one elsewhere: all pairs are not looked at, and what is not known is not told.
+    #[test]
+    fn a_crowd_is_left_to_the_views() {
+        let corners = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let is_last_known = |crowd: u32| {
+            let positions =
+                (0..=crowd).flat_map(|face| corners.map(|corner| corner + Vec3::Z * f32::from(face == crowd)));
+            let triangles = (0..=crowd).map(|face| [0, 1, 2].map(|slot| 3 * face + slot));
+            let mesh = TriangleMesh::new(positions.collect(), triangles.collect()).unwrap();
+            let topology = Topology::new(&mesh);
+            let known = ClearEdges::of(&mesh, &topology, &FaceTree::new(&mesh), &NoProgress).unwrap();
+            assert!(!known.contains(EdgeId::new(0)));
+            known.contains(EdgeId::from_usize(topology.edge_count() - 1))
+        };
+        assert!(is_last_known(2) && !is_last_known(MOST_FACES_AN_EDGE as u32 * 2));
     }
 }

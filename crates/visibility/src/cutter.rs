@@ -1,7 +1,7 @@
 //! Steps 4 to 6 for one stroke: its events, and the gaps between them.
 
 use crate::chains::SegmentSource;
-use crate::clear_edges::{ClearEdges, meetings};
+use crate::clear_edges::{ClearEdges, Segment};
 use crate::contours::{Contour, ContourFinder, Layers};
 use crate::events::{Depth, Event, crossing, piercing};
 use crate::frame::ClippedEdge;
@@ -13,7 +13,7 @@ use crate::stroke::{Stroke, Strokes};
 /// Counts of what was done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct CutStats {
-    /// Pairs of a stroke and a contour that pass the same cell.
+    /// Pairs of a stroke and a contour that pass the same cell, or a face that may be passed through.
     pub candidates: u64,
     /// Pairs that were tested exactly.
     pub pairs: u64,
@@ -153,12 +153,14 @@ impl StrokeCutter<'_> {
         let mesh = self.sight.mesh;
         let mut touched = [false; 2];
         let is_left_out = |face| own.contains(&face) || self.finder.at_eye.binary_search(&face).is_ok();
-        meetings(mesh, self.sight.tree, stroke.ends, stroke.vertices, is_left_out, |meeting| {
+        let segment = Segment { ends: stroke.ends, vertices: stroke.vertices };
+        let CutterScratch { events, stats, .. } = scratch;
+        stats.candidates += segment.for_each_meeting(mesh, self.sight.tree, is_left_out, |meeting| {
             for (at_end, found) in touched.iter_mut().zip(meeting.touched) {
                 *at_end |= found;
             }
             let event = |passage| piercing(passage, mesh.corners(meeting.face), &self.sight.viewpoint);
-            scratch.events.extend(meeting.passage.map(event));
+            events.extend(meeting.passage.map(event));
         });
         touched
     }

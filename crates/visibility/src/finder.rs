@@ -25,8 +25,8 @@ use silhouette_core::{Camera, Cancelled, Progress, Topology};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Pairs of an edge and a contour that one view may look at because they pass the same cell of the picture: some ten seconds
-/// of work on one core. A picture with more is a tangle that no line drawing shows.
+/// Pairs of an edge and a contour that pass the same cell of the picture, or of an edge and a face that may meet in space, that one
+/// view may look at: some ten seconds of work on one core. A picture with more is a tangle that no line drawing shows.
 pub const MAX_PAIRS: u64 = 2_000_000_000;
 
 /// Why there are no lines.
