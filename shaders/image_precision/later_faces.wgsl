@@ -7,8 +7,3 @@ fn later_vertex(@builtin(vertex_index) index: u32) -> @invariant @builtin(positi
     let position = corner_position(3u * listed[index / 3u] + index % 3u);
     return style.back_to_clip * vec4<f32>(position, 1.0);
 }
-
-@fragment
-fn later_fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    return faded_ink(1.0 / position.w);
-}

@@ -48,23 +48,58 @@ pub mod image_precision {
     /// Front faces, as paper or shaded.
     pub const FRONT_FACES: &str = stage!("../image_precision/front_faces.wgsl");
     /// Back faces, black, pulled.
-    pub const BACK_FACES: &str = stage!("../image_precision/back_faces.wgsl");
-    /// Lists edges of back faces.
-    pub const BACK_EDGES: &str =
-        stage!("../shared/mesh.wgsl", "../shared/image_precision/facing.wgsl", "../image_precision/back_edges.wgsl");
+    pub const BACK_FACES: &str = stage!("../shared/image_precision/ink.wgsl", "../image_precision/back_faces.wgsl");
+    /// Lists faces whose edges are drawn.
+    pub const FACE_LIST: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/facing.wgsl",
+        "../shared/image_precision/front_mark.wgsl",
+        "../shared/image_precision/listing.wgsl",
+        "../image_precision/face_list.wgsl"
+    );
+    /// Lists edges of the faces in that list.
+    pub const BACK_EDGES: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/front_mark.wgsl",
+        "../image_precision/back_edges.wgsl"
+    );
     /// Lines expanded in the image plane.
-    pub const SCREEN: &str =
-        stage!("../shared/mesh.wgsl", "../shared/image_precision/facing.wgsl", "../image_precision/screen.wgsl");
+    pub const SCREEN: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/front_mark.wgsl",
+        "../shared/image_precision/ink.wgsl",
+        "../image_precision/screen.wgsl"
+    );
+    /// Farthest depths of front faces.
+    pub const FRONT_TILES: &str = stage!(
+        "../shared/image_precision/tiles.wgsl",
+        "../shared/image_precision/depth_single.wgsl",
+        "../image_precision/front_tiles.wgsl"
+    );
+    /// The same for targets with several samples a pixel.
+    pub const FRONT_TILES_MULTISAMPLED: &str = stage!(
+        "../shared/image_precision/tiles.wgsl",
+        "../shared/image_precision/depth_multiple.wgsl",
+        "../image_precision/front_tiles.wgsl"
+    );
     /// Lists polygons to be fattened.
+    pub const POLYGON_LIST: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/polygon.wgsl",
+        "../shared/image_precision/listing.wgsl",
+        "../image_precision/polygon_list.wgsl"
+    );
+    /// Fattens the polygons in that list.
     pub const POLYGONS: &str = stage!(
         "../shared/mesh.wgsl",
         "../shared/image_precision/polygon.wgsl",
         "../shared/image_precision/push.wgsl",
-        "../shared/image_precision/fat_corner.wgsl",
+        "../shared/image_precision/tiles.wgsl",
+        "../shared/image_precision/hidden.wgsl",
         "../image_precision/polygons.wgsl"
     );
     /// Fattened polygons.
-    pub const FATTEN: &str = stage!("../shared/image_precision/fat_corner.wgsl", "../image_precision/fatten.wgsl");
+    pub const FATTEN: &str = stage!("../shared/image_precision/ink.wgsl", "../image_precision/fatten.wgsl");
     /// Every face as its number.
     pub const FIRST_LAYER: &str = stage!("../shared/mesh.wgsl", "../image_precision/first_layer.wgsl");
     /// Marks the faces that are seen and lists the others.
@@ -74,11 +109,12 @@ pub mod image_precision {
     pub const UNORIENTED_MULTISAMPLED: &str =
         stage!("../shared/image_precision/seen_multiple.wgsl", "../image_precision/unoriented.wgsl");
     /// Faces behind the first layer.
-    pub const LATER_FACES: &str = stage!("../shared/mesh.wgsl", "../image_precision/later_faces.wgsl");
+    pub const LATER_FACES: &str =
+        stage!("../shared/mesh.wgsl", "../shared/image_precision/ink.wgsl", "../image_precision/later_faces.wgsl");
 }
 
 /// Every stage with its path below the crate's folder.
-pub const ALL: [(&str, &str); 16] = [
+pub const ALL: [(&str, &str); 20] = [
     ("render/fill.wgsl", render::FILL),
     ("render/face_ids.wgsl", render::FACE_IDS),
     ("render/line_segments.wgsl", render::LINE_SEGMENTS),
@@ -87,8 +123,12 @@ pub const ALL: [(&str, &str); 16] = [
     ("render/box_downsample.wgsl", render::BOX_DOWNSAMPLE),
     ("image_precision/front_faces.wgsl", image_precision::FRONT_FACES),
     ("image_precision/back_faces.wgsl", image_precision::BACK_FACES),
+    ("image_precision/face_list.wgsl", image_precision::FACE_LIST),
     ("image_precision/back_edges.wgsl", image_precision::BACK_EDGES),
     ("image_precision/screen.wgsl", image_precision::SCREEN),
+    ("image_precision/front_tiles.wgsl", image_precision::FRONT_TILES),
+    ("image_precision/front_tiles.wgsl", image_precision::FRONT_TILES_MULTISAMPLED),
+    ("image_precision/polygon_list.wgsl", image_precision::POLYGON_LIST),
     ("image_precision/polygons.wgsl", image_precision::POLYGONS),
     ("image_precision/fatten.wgsl", image_precision::FATTEN),
     ("image_precision/first_layer.wgsl", image_precision::FIRST_LAYER),

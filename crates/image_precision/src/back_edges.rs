@@ -1,9 +1,10 @@
-//! Lists the edges of back faces on the adapter, those between two back faces left out. Stage:
-//! `shaders/image_precision/back_edges.wgsl`.
+//! Lists the edges of back faces on the adapter, those between two back faces left out. Stages:
+//! `shaders/image_precision/face_list.wgsl`, `back_edges.wgsl`.
 
+use crate::face_list::FaceList;
 use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
-use silhouette_shaders::image_precision::BACK_EDGES;
+use silhouette_shaders::image_precision::{BACK_EDGES, FACE_LIST};
 
 /// Which faces' edges are listed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,15 +20,18 @@ pub(crate) enum Listed {
 /// A list of edges that is made anew for each view, without the CPU.
 #[derive(Debug)]
 pub(crate) struct BackEdges {
-    faces: u32,
+    faces: FaceList,
     slots: u32,
     table: wgpu::Buffer,
     arguments: wgpu::Buffer,
     filling: wgpu::BindGroup,
     drawing: wgpu::BindGroup,
     add: wgpu::ComputePipeline,
-    list: wgpu::ComputePipeline,
+    list_unshared: wgpu::ComputePipeline,
 }
+
+/// Slots that an invocation of the listing stage reads at once.
+const SLOTS_PER_INVOCATION: u32 = 4;
 
 /// Layout of the list for the stage that draws it.
 pub(crate) fn drawing_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
@@ -37,10 +41,10 @@ pub(crate) fn drawing_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     })
 }
 
-/// Arguments of an indirect draw whose vertices stages count: one instance of none so far.
+/// Arguments of an indirect draw, indexed or not, whose vertices stages count: one instance of none so far.
 pub(crate) fn draw_arguments(device: &wgpu::Device, queue: &wgpu::Queue) -> Result<wgpu::Buffer, MeshTooLarge> {
-    let arguments = storage_buffer(device, "arguments of the draw", 16, wgpu::BufferUsages::INDIRECT)?;
-    queue.write_buffer(&arguments, 0, bytemuck::bytes_of(&[0_u32, 1, 0, 0]));
+    let arguments = storage_buffer(device, "arguments of the draw", 20, wgpu::BufferUsages::INDIRECT)?;
+    queue.write_buffer(&arguments, 0, bytemuck::bytes_of(&[0_u32, 1, 0, 0, 0]));
     Ok(arguments)
 }
 
@@ -60,25 +64,27 @@ impl BackEdges {
         let arguments = draw_arguments(device, queue)?;
         let filling_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("listing of edges"),
-            entries: &[
-                storage_entry(0, false),
-                storage_entry(1, false),
-                storage_entry(2, false),
-                storage_entry(3, true),
-            ],
+            entries: &[0, 1, 2, 3].map(|binding| storage_entry(binding, binding == 0)),
         });
         let nothing = storage_buffer(device, "no first layer", 4, none)?;
-        let filling = [&table, &list, &arguments, first_layer.unwrap_or(&nothing)];
+        let listing =
+            (FACE_LIST, if listed == Listed::UnsharedLater { "list_later_layers" } else { "list_back_faces" });
+        let faces = FaceList::new(device, faces, listing, first_layer.unwrap_or(&nothing))?;
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
         let layouts = [Some(&camera), Some(&mesh), Some(&filling_layout)];
-        let add = if listed == Listed::UnsharedLater { "add_later_layers" } else { "add_back_faces" };
+        let add = if listed == Listed::EveryEdge { "list_every_edge" } else { "add_edges" };
         Ok(Self {
-            faces,
             slots,
-            filling: buffers_group(device, "listing of edges", &filling_layout, &filling),
+            filling: buffers_group(
+                device,
+                "listing of edges",
+                &filling_layout,
+                &[faces.entries(), &table, &list, &arguments],
+            ),
             drawing: buffers_group(device, "lines to draw", &drawing_layout(device), &[&list]),
             add: compute(device, BACK_EDGES, add, &layouts),
-            list: compute(device, BACK_EDGES, "list_unshared", &layouts),
+            list_unshared: compute(device, BACK_EDGES, "list_unshared", &layouts),
+            faces,
             table,
             arguments,
         })
@@ -86,7 +92,7 @@ impl BackEdges {
 
     /// Number of faces.
     pub fn faces(&self) -> u32 {
-        self.faces
+        self.faces.count()
     }
 
     /// What the stages expect as `slot_mask`.
@@ -98,16 +104,17 @@ impl BackEdges {
     pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
         encoder.clear_buffer(&self.table, 0, None);
         encoder.clear_buffer(&self.arguments, 0, Some(4));
+        self.faces.clear(encoder);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_bind_group(0, camera.bind_group(), &[]);
         pass.set_bind_group(1, mesh.bind_group(), &[]);
+        self.faces.encode(&mut pass);
         pass.set_bind_group(2, &self.filling, &[]);
         pass.set_pipeline(&self.add);
-        let [x, y] = groups(self.faces);
-        pass.dispatch_workgroups(x, y, 1);
+        self.faces.dispatch(&mut pass, 3);
         if self.slots > 1 {
-            pass.set_pipeline(&self.list);
-            let [x, y] = groups(self.slots);
+            pass.set_pipeline(&self.list_unshared);
+            let [x, y] = groups(self.slots / SLOTS_PER_INVOCATION);
             pass.dispatch_workgroups(x, y, 1);
         }
     }
@@ -119,10 +126,15 @@ impl BackEdges {
     }
 }
 
-/// Slots of the table: a power of two, at least four thirds of the half-edges that there can be.
+/// Slots of the table: a power of two, at least four thirds of the edges of a surface all of whose faces are back. A soup that
+/// has more edges finds the table full in places, and has more lines drawn.
 fn slots(faces: u32) -> u32 {
-    let half_edges = faces.saturating_mul(3);
-    (half_edges / 3 * 4).clamp(2, 1 << 31).next_power_of_two()
+    faces.saturating_mul(2).clamp(SLOTS_PER_INVOCATION, 1 << 31).next_power_of_two()
+}
+
+/// What the stages expect as `corner_mask`: as many low bits as the number of any corner, plus one, takes.
+pub(crate) fn corner_mask(faces: u32) -> u32 {
+    u32::MAX >> faces.saturating_mul(3).max(1).leading_zeros()
 }
 
 #[cfg(test)]
@@ -130,10 +142,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_table_has_room_for_every_half_edge() {
+    fn the_table_has_room_for_every_edge_of_a_surface() {
         for faces in [0, 1, 5, 1000, 1_000_000, 20_000_000] {
             let slots = slots(faces);
-            assert!(slots.is_power_of_two() && slots >= 2 && u64::from(slots) * 3 >= u64::from(faces) * 4);
+            assert!(
+                slots.is_power_of_two()
+                    && slots >= SLOTS_PER_INVOCATION
+                    && u64::from(slots) * 3 >= u64::from(faces) * 3 / 2 * 4
+            );
         }
     }
 }

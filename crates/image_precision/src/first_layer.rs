@@ -3,7 +3,8 @@
 
 use crate::back_edges::{self, BackEdges, Listed, draw_arguments};
 use crate::renderer::line_pipeline;
-use crate::stage::{Stage, buffers_group, compute, groups, storage_buffer, storage_entry};
+use crate::settings::Settings;
+use crate::stage::{Stage, buffers_group, compute, groups, ink_fragment, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge, TargetFormats};
 use silhouette_shaders::image_precision::{FIRST_LAYER, LATER_FACES, UNORIENTED, UNORIENTED_MULTISAMPLED};
 
@@ -53,6 +54,7 @@ impl FirstLayer {
         queue: &wgpu::Queue,
         faces: u32,
         scales: bool,
+        settings: &Settings,
         formats: TargetFormats,
     ) -> Result<Self, MeshTooLarge> {
         let bytes = 4 * u64::from(faces);
@@ -83,20 +85,20 @@ impl FirstLayer {
             label,
             wgsl,
             vertex,
-            fragment,
-            is_indexed: false,
+            fragment: Some(fragment),
+            buffers: &[],
             culled: None,
             polygon_mode: wgpu::PolygonMode::Fill,
             depth: formats.depth_state(compare),
         };
         let number = stage("first layer", FIRST_LAYER, ["numbered_vertex", "number_fragment"], formats.nearer());
         let later = if scales {
-            let words = ["later_vertex", "later_fragment"];
+            let words = ["later_vertex", ink_fragment(settings)];
             let stage = stage("faces behind the first layer", LATER_FACES, words, formats.nearer_or_equal());
             Later::Faces(stage.build(device, &drawing, formats.color, formats.samples))
         } else {
             let list = BackEdges::new(device, queue, faces, Listed::UnsharedLater, Some(&marks))?;
-            Later::Edges { list, pipeline: line_pipeline(device, formats, "line_of_edge") }
+            Later::Edges { list, pipeline: line_pipeline(device, formats, settings, "line_of_edge") }
         };
         Ok(Self {
             faces,

@@ -1,7 +1,7 @@
 //! Step 2: front faces, white or shaded. Stage: `shaders/image_precision/front_faces.wgsl`.
 
 use crate::settings::Interior;
-use crate::stage::Stage;
+use crate::stage::{POSITIONS, Stage};
 use silhouette_gpu::TargetFormats;
 
 /// Front faces, or all of them for meshes whose winding says nothing, over everything farther.
@@ -22,9 +22,28 @@ pub(crate) fn pipeline(
         label: "image precision: front faces",
         wgsl: silhouette_shaders::image_precision::FRONT_FACES,
         vertex,
-        fragment,
-        is_indexed: true,
+        fragment: Some(fragment),
+        buffers: POSITIONS,
         culled,
+        polygon_mode: wgpu::PolygonMode::Fill,
+        depth: formats.depth_state(formats.nearer()),
+    }
+    .build(device, layouts, formats.color, formats.samples)
+}
+
+/// Depth of the front faces alone, the same as [`pipeline`]'s.
+pub(crate) fn depth_pipeline(
+    device: &wgpu::Device,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
+    formats: TargetFormats,
+) -> wgpu::RenderPipeline {
+    Stage {
+        label: "image precision: depth of front faces",
+        wgsl: silhouette_shaders::image_precision::FRONT_FACES,
+        vertex: "paper_vertex",
+        fragment: None,
+        buffers: POSITIONS,
+        culled: Some(wgpu::Face::Back),
         polygon_mode: wgpu::PolygonMode::Fill,
         depth: formats.depth_state(formats.nearer()),
     }

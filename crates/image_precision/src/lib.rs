@@ -58,6 +58,8 @@ pub mod depth_range;
 pub mod depth_step;
 pub mod equal;
 pub mod eye_inside;
+#[cfg(feature = "gpu")]
+mod face_list;
 pub mod fatten;
 #[cfg(feature = "gpu")]
 mod fatten_list;
@@ -65,6 +67,8 @@ pub mod feature_edges;
 #[cfg(feature = "gpu")]
 mod first_layer;
 pub mod fixed_pull;
+#[cfg(feature = "gpu")]
+mod front_depth;
 #[cfg(feature = "gpu")]
 mod front_faces;
 mod line_width;

@@ -1,11 +1,12 @@
 //! Ours: edges of back faces expanded in the image plane, as wide as asked for everywhere.
 //!
-//! 1. `back_edges.wgsl` classifies every face once and counts, for each edge of a back face, the back faces that have it.
-//!    Edges are known by the positions of their ends, so that a soup without shared vertices is served as well. An edge
-//!    counted twice lies between back faces and cannot be a silhouette edge; the others are listed.
-//! 2. `screen.wgsl` draws each listed edge as a quad beside the projected edge, outwards of its face, and a fan around
-//!    either end that rounds corners. The edge is clipped at the near plane first. Depth is that of the edge, so that front
-//!    faces before it hide it and it covers what lies behind.
+//! 1. `face_list.wgsl` classifies every face once and lists back faces.
+//! 2. `back_edges.wgsl` counts, for each edge of a listed face, the listed faces that have it. Edges are known by the positions
+//!    of their ends, so that a soup without shared vertices is served as well. An edge counted twice lies between back faces
+//!    and cannot be a silhouette edge; the others are listed.
+//! 3. `screen.wgsl` draws each listed edge as a convex polygon beside the projected edge, outwards of its face and around either
+//!    end, which rounds corners: two triangles for lines of 2 px. The edge is clipped at the near plane first. Depth is that of
+//!    the edge, so that front faces before it hide it and it covers what lies behind.
 //!
 //! Fattening in the polygon's plane, as the paper does, slides along the edge and makes spikes
 //! ([`fatten`](crate::fatten)); moving the edge in the image does not.
@@ -19,19 +20,41 @@ use std::f64::consts::FRAC_PI_2;
 /// Most that a rounded corner may fall short of its arc or reach beyond it, in pixels.
 const ROUNDING_PX: f64 = 0.2;
 
-/// Most triangles of a fan.
+/// Most sides around the end of a line.
 const MAX_FAN: u32 = 16;
 
-/// How the end of a line is rounded.
+/// How the end of a line is rounded: a polygon around an arc whose radius is how far the line reaches beside its edge.
 ///
-/// The quad's outer corners reach beyond its ends, so that lines which turn a little meet without a fan; the fan goes on
-/// from there.
+/// The outer corners reach beyond the end, so that lines which turn a little meet without a gap; the sides go on from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rounding {
-    /// How far outer corners reach beyond the end of the line, over its width.
+    /// How far outer corners reach beyond the end of the line, over its reach beside it.
     pub corner: f64,
-    /// Triangles of the fan around the end, 1 to 16.
+    /// Sides around the end, 1 to 16.
     pub fan: u32,
+    /// Whether ink lies on both sides of the edge, so that the arc is half a turn; otherwise a quarter.
+    pub is_centred: bool,
+}
+
+impl Rounding {
+    /// No rounding: a centred line ends where its edge does.
+    pub const BLUNT: Self = Self { corner: 0.0, fan: 1, is_centred: true };
+
+    /// Points of the polygon, from the outer corner to straight ahead, or to the other corner: how far beside the edge and how
+    /// far beyond its end, in reaches. Those beyond the last repeat nothing and are zero.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn rim(&self) -> [[f32; 4]; MAX_FAN as usize + 1] {
+        let first = self.corner.atan();
+        let sweep = if self.is_centred { 2.0 } else { 1.0 } * (FRAC_PI_2 - first);
+        let mut rim = [[0.0; 4]; MAX_FAN as usize + 1];
+        for (step, point) in (0..=self.fan).zip(&mut rim) {
+            let is_corner = step == 0 || (self.is_centred && step == self.fan);
+            let radius = if is_corner { self.corner.hypot(1.0) } else { 1.0 };
+            let (sine, cosine) = (first + sweep * f64::from(step) / f64::from(self.fan)).sin_cos();
+            *point = [(radius * cosine) as f32, (radius * sine) as f32, 0.0, 0.0];
+        }
+        rim
+    }
 }
 
 /// The rounding of a line whose ends are arcs of `width_px` as their radius: as few triangles as keep it within a fifth of
@@ -43,7 +66,7 @@ pub fn rounding(width_px: f64, is_centred: bool) -> Rounding {
     // The chord next to a corner begins as far outside of the arc as it may end inside.
     let sagitta = |count: u32| width_px * (1.0 - (0.5 * sweep / f64::from(count)).cos());
     let fan = (1..MAX_FAN).find(|&count| sagitta(count) <= 2.0 * ROUNDING_PX).unwrap_or(MAX_FAN);
-    Rounding { corner: reach.tan(), fan }
+    Rounding { corner: reach.tan(), fan, is_centred }
 }
 
 #[cfg(test)]

@@ -1,18 +1,27 @@
 //! What the pipelines of this crate have in common, written once.
 
-use silhouette_gpu::POSITION_LAYOUT;
+use crate::settings::Settings;
 
 /// A render pipeline as far as it differs from the others.
 pub(crate) struct Stage {
     pub label: &'static str,
     pub wgsl: &'static str,
     pub vertex: &'static str,
-    pub fragment: &'static str,
-    /// Whether positions come from vertex and index buffer; otherwise the stage pulls them.
-    pub is_indexed: bool,
+    /// None where depth alone is drawn.
+    pub fragment: Option<&'static str>,
+    /// Vertex buffers; none where the stage pulls what it needs.
+    pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
     pub culled: Option<wgpu::Face>,
     pub polygon_mode: wgpu::PolygonMode,
     pub depth: wgpu::DepthStencilState,
+}
+
+/// Where positions of the mesh come from the vertex buffer.
+pub(crate) const POSITIONS: &[Option<wgpu::VertexBufferLayout<'static>>] = &[Some(silhouette_gpu::POSITION_LAYOUT)];
+
+/// The stage of `ink.wgsl` for lines without a texture: what does not fade needs no depth.
+pub(crate) fn ink_fragment(settings: &Settings) -> &'static str {
+    if settings.depth_fade > 0.0 { "faded_fragment" } else { "solid_fragment" }
 }
 
 fn module(device: &wgpu::Device, label: &str, wgsl: &str) -> wgpu::ShaderModule {
@@ -42,8 +51,8 @@ impl Stage {
         color: wgpu::TextureFormat,
         samples: u32,
     ) -> wgpu::RenderPipeline {
+        let targets = [Some(color.into())];
         let module = module(device, self.label, self.wgsl);
-        let buffers = [Some(POSITION_LAYOUT)];
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
             layout: Some(&pipeline_layout(device, self.label, layouts)),
@@ -51,7 +60,7 @@ impl Stage {
                 module: &module,
                 entry_point: Some(self.vertex),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: if self.is_indexed { &buffers } else { &[] },
+                buffers: self.buffers,
             },
             primitive: wgpu::PrimitiveState {
                 cull_mode: self.culled,
@@ -60,11 +69,11 @@ impl Stage {
             },
             depth_stencil: Some(self.depth),
             multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-            fragment: Some(wgpu::FragmentState {
+            fragment: self.fragment.map(|fragment| wgpu::FragmentState {
                 module: &module,
-                entry_point: Some(self.fragment),
+                entry_point: Some(fragment),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(color.into())],
+                targets: &targets,
             }),
             multiview_mask: None,
             cache: None,

@@ -22,22 +22,25 @@ pub(crate) struct StyleUniform {
     pub eye: [f32; 4],
     pub axis: [f32; 4],
     pub ink: [f32; 4],
-    pub span: [f32; 4],
+    pub reach: [f32; 2],
     pub viewport_px: [f32; 2],
     pub light: [f32; 2],
-    pub fade: [f32; 3],
-    pub near_w: f32,
     pub clamp_edges: f32,
     pub band: f32,
+    pub fade: [f32; 3],
+    pub near_w: f32,
     pub law: u32,
     pub texture: u32,
     pub faces: u32,
     pub slot_mask: u32,
+    pub corner_mask: u32,
     pub polygon_corners: u32,
     pub lift: f32,
     pub fan: u32,
-    pub corner: f32,
+    pub noted: u32,
+    pub reversed: u32,
     pub _pad: [u32; 2],
+    pub rim: [[f32; 4]; 17],
 }
 
 /// Depths that are drawn, and how back faces are mapped to clip space.
@@ -80,21 +83,14 @@ impl Pulled {
     }
 }
 
-/// Where the ink of lines lies beside their edges, as shares of their width: lowest and highest, outwards.
-pub(crate) fn span(variant: Variant) -> [f64; 2] {
-    match variant {
-        Variant::Wireframe { .. } => [-0.5, 0.5],
-        _ => [0.0, 1.0],
-    }
+/// How far lines reach beside their edges, as a share of their width: those of a wireframe lie on both sides.
+pub(crate) fn reach(variant: Variant) -> f64 {
+    if matches!(variant, Variant::Wireframe { .. }) { 0.5 } else { 1.0 }
 }
 
 /// How lines are rounded that are at most so wide. Lines of a wireframe end bluntly.
 fn rounding(variant: Variant, widest_px: f64) -> Rounding {
-    if matches!(variant, Variant::Wireframe { .. }) {
-        Rounding { corner: 0.0, fan: 0 }
-    } else {
-        screen::rounding(widest_px, false)
-    }
+    if matches!(variant, Variant::Wireframe { .. }) { Rounding::BLUNT } else { screen::rounding(widest_px, false) }
 }
 
 /// Fills in what a view decides; counts of the mesh and of tables are the caller's.
@@ -115,8 +111,7 @@ pub(crate) fn of_view(
     };
     let width = settings.width.over_depth(camera, bounds);
     let rounding = rounding(settings.variant, width.px_at(pulled.range.near.abs()));
-    let [low, high] = span(settings.variant);
-    let [constant, falling] = [width.constant_px, width.px_at_depth_1 / unit];
+    let reach = reach(settings.variant);
     let depth = (bounds.center - camera.eye().as_dvec3()).dot(axis);
     let law = match settings.variant {
         Variant::Fatten { law } | Variant::Charcoal { law, .. } => law,
@@ -129,7 +124,7 @@ pub(crate) fn of_view(
         eye: eye.to_array(),
         axis: axis.as_vec3().extend(px_per_unit as f32).to_array(),
         ink: DVec3::new(red, green, blue).as_vec3().extend(1.0).to_array(),
-        span: [low * constant, high * constant, low * falling, high * falling].map(|part| part as f32),
+        reach: [width.constant_px, width.px_at_depth_1 / unit].map(|part| (reach * part) as f32),
         viewport_px: camera.size().map(|side| side as f32),
         light: thinning,
         fade: [(depth - bounds.radius) / unit, (depth + bounds.radius) / unit, settings.depth_fade]
@@ -152,11 +147,14 @@ pub(crate) fn of_view(
         },
         faces: 0,
         slot_mask: 0,
+        corner_mask: 0,
         polygon_corners: 3,
         lift: 0.0,
         fan: rounding.fan,
-        corner: rounding.corner as f32,
+        noted: 0,
+        reversed: 0,
         _pad: [0; 2],
+        rim: rounding.rim(),
     }
 }
 
@@ -175,22 +173,24 @@ mod tests {
             eye,
             axis,
             ink,
-            span,
+            reach,
             viewport_px,
             light,
-            fade,
-            near_w,
             clamp_edges,
             band,
+            fade,
+            near_w,
             law,
             texture,
             faces,
             slot_mask,
+            corner_mask,
             polygon_corners,
             lift,
             fan,
-            corner,
-            _pad
+            noted,
+            reversed,
+            rim
         );
         let stage = silhouette_shaders::image_precision::SCREEN;
         let size = size_of::<StyleUniform>();

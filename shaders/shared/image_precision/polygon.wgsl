@@ -30,3 +30,9 @@ fn polygon(range: vec2<u32>) -> Polygon {
     }
     return Polygon(range.x, size, origin + sum / f32(size), normal);
 }
+
+// V.N at its middle, towards the viewer.
+fn polygon_facing(p: Polygon) -> f32 {
+    let view = towards_viewer(p.middle);
+    return dot(p.normal, view) / max(length(p.normal) * length(view), 1e-30);
+}

@@ -19,7 +19,7 @@ fn push(a: vec3<f32>, b: vec3<f32>, p: Polygon) -> vec3<f32> {
     let v = normalize(ray);
     let is_perspective = style.eye.w != 0.0;
     let depth = select(1.0, dot(ray, style.axis.xyz), is_perspective);
-    let width = max(style.span.y + style.span.w / depth, 0.0);
+    let width = max(style.reach.x + style.reach.y / depth, 0.0);
     let v_n = abs(dot(v, n));
     let sine = length(cross(v, e));
     var delta = 0.0;

@@ -8,19 +8,19 @@ struct StyleUniform {
     // Unit viewing axis, away from the viewer; w: pixels that a unit covers at depth 1 (in orthographic views, at all).
     axis: vec4<f32>,
     ink: vec4<f32>,
-    // What a line covers beside its edge, outwards, in pixels: from x + z / w to y + w / w at a clip-space w.
-    span: vec4<f32>,
+    // How far a line reaches beside its edge in pixels: x + y / w at a clip-space w.
+    reach: vec2<f32>,
     viewport_px: vec2<f32>,
     // Unit direction in the image towards the light, times the share by which lines that face it are thinned.
     light: vec2<f32>,
-    // Depths, as clip-space w, between which ink fades, and the share that it has lost at the far one.
-    fade: vec3<f32>,
-    // Nearest w that a line is drawn at.
-    near_w: f32,
     // Fattening is at most this many edge lengths.
     clamp_edges: f32,
     // Front faces with V.N below this are fattened too; 0: none.
     band: f32,
+    // Depths, as clip-space w, between which ink fades, and the share that it has lost at the far one.
+    fade: vec3<f32>,
+    // Nearest w that a line is drawn at.
+    near_w: f32,
     // Fattening: 0 exact, 1 as printed, 2 as printed without the sine.
     law: u32,
     // 0 solid, 1 dashes, 2 stipple.
@@ -29,22 +29,28 @@ struct StyleUniform {
     faces: u32,
     // Slots of the edge table less one; the table's size is a power of two. 0: every edge is drawn.
     slot_mask: u32,
+    // Bits of a slot that hold the number of a corner.
+    corner_mask: u32,
     // Corners of every polygon, or 0: as the starts tell.
     polygon_corners: u32,
     // Towards the viewer in units of the depth buffer, for lines that lie on front faces.
     lift: f32,
-    // Triangles of the fan around either end of a line; 0: none, lines end bluntly.
+    // Sides of a line's polygon around either end.
     fan: u32,
-    // Outer corners of a line reach beyond its ends by this share of the width; the fans go on from there.
-    corner: f32,
-    _pad: vec2<u32>,
+    // What each vertex of a fattened polygon tells: 0 nothing, 1 whether its edge is level, 2 its polygon's V.N.
+    noted: u32,
+    // Whether depth falls with distance.
+    reversed: u32,
+    // Points of the polygon around the end of a line, in reaches from there: x beside the edge, y beyond its end. The first is
+    // the outer corner; one for each side and one more.
+    rim: array<vec4<f32>, 17>,
 }
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;
 
-// Vertices of a line: a quad, and a fan around either end.
+// Vertices of a line: the triangles of a polygon of two points more than there are sides around its ends.
 fn vertices_per_line() -> u32 {
-    return 6u + 6u * style.fan;
+    return 6u * style.fan;
 }
 
 // From a point towards the viewer; not normalised.

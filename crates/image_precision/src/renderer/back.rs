@@ -5,8 +5,8 @@ use crate::fatten_list::FatPolygons;
 use crate::first_layer::FirstLayer;
 use crate::method::ImagePrecision;
 use crate::offset;
-use crate::settings::Variant;
-use crate::stage::Stage;
+use crate::settings::{Settings, Texture, Variant};
+use crate::stage::{POSITIONS, Stage, ink_fragment};
 use crate::style::StyleUniform;
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshBuffers, RendererError, TargetFormats};
 use silhouette_shaders::image_precision::{BACK_FACES, SCREEN};
@@ -19,7 +19,7 @@ pub(super) enum Back {
     /// Their edges as lines.
     Edges { list: BackEdges, pipeline: wgpu::RenderPipeline },
     /// Their fattened polygons.
-    Fat(FatPolygons),
+    Fat(Box<FatPolygons>),
     /// Whatever lies behind the first layer.
     Later(Box<FirstLayer>),
 }
@@ -32,11 +32,12 @@ impl Back {
         buffers: &MeshBuffers,
         formats: TargetFormats,
     ) -> Result<Self, RendererError> {
-        let variant = method.settings().variant;
+        let settings = method.settings();
+        let variant = settings.variant;
         let faces = buffers.face_count();
         let edges = |listed| -> Result<Self, RendererError> {
             let list = BackEdges::new(device, queue, faces, listed, None)?;
-            Ok(Self::Edges { list, pipeline: line_pipeline(device, formats, "line_of_edge") })
+            Ok(Self::Edges { list, pipeline: line_pipeline(device, formats, settings, "line_of_edge") })
         };
         match variant {
             Variant::Screen => edges(Listed::Unshared),
@@ -49,21 +50,21 @@ impl Back {
                         instead: "use wireframe-lines=quads, which needs none",
                     });
                 }
-                Ok(Self::Faces(faces_pipeline(device, formats, variant)))
+                Ok(Self::Faces(faces_pipeline(device, formats, settings)))
             }
             Variant::Fatten { .. } | Variant::Charcoal { .. } => {
-                let is_charcoal = matches!(variant, Variant::Charcoal { .. });
-                Ok(Self::Fat(FatPolygons::new(device, queue, faces, method.polygons(), is_charcoal, formats)?))
+                let fat = FatPolygons::new(device, queue, faces, method.polygons(), settings, formats)?;
+                Ok(Self::Fat(Box::new(fat)))
             }
             Variant::Unoriented { k } => {
-                let layer = FirstLayer::new(device, queue, faces, k.is_some(), formats)?;
+                let layer = FirstLayer::new(device, queue, faces, k.is_some(), settings, formats)?;
                 Ok(Self::Later(Box::new(layer)))
             }
             Variant::Equal
             | Variant::FixedPull { .. }
             | Variant::Scale { .. }
             | Variant::DepthRange { .. }
-            | Variant::Offset { .. } => Ok(Self::Faces(faces_pipeline(device, formats, variant))),
+            | Variant::Offset { .. } => Ok(Self::Faces(faces_pipeline(device, formats, settings))),
         }
     }
 
@@ -79,30 +80,41 @@ impl Back {
             Self::Edges { list, .. } => {
                 style.faces = list.faces();
                 style.slot_mask = list.slot_mask();
+                style.corner_mask = back_edges::corner_mask(list.faces());
             }
             Self::Fat(fat) => {
                 style.faces = fat.count();
                 style.polygon_corners = fat.polygon_corners();
+                style.noted = fat.noted();
             }
             Self::Later(layer) => {
                 style.faces = layer.faces();
                 style.slot_mask = layer.slot_mask();
+                style.corner_mask = back_edges::corner_mask(layer.faces());
             }
         }
     }
 
     /// Makes room for a viewport of this size.
     pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
-        if let Self::Later(layer) = self {
-            layer.resize(device, size);
+        match self {
+            Self::Later(layer) => layer.resize(device, size),
+            Self::Fat(fat) => fat.resize(device, size),
+            Self::Faces(_) | Self::Edges { .. } => {}
         }
     }
 
-    pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
+    pub fn encode(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        camera: &CameraBinding,
+        buffers: &MeshBuffers,
+        mesh: &MeshBinding,
+    ) {
         match self {
             Self::Faces(_) => {}
             Self::Edges { list, .. } => list.encode(encoder, camera, mesh),
-            Self::Fat(fat) => fat.encode(encoder, camera, mesh),
+            Self::Fat(fat) => fat.encode(encoder, camera, buffers, mesh),
             Self::Later(layer) => layer.encode(encoder, camera, mesh),
         }
     }
@@ -114,21 +126,25 @@ impl Back {
             return;
         }
         let Some(mesh) = mesh else { return };
+        if let Self::Fat(fat) = self {
+            fat.draw(pass);
+            return;
+        }
         pass.set_bind_group(1, mesh.bind_group(), &[]);
         match self {
-            Self::Faces(_) => {}
+            Self::Faces(_) | Self::Fat(_) => {}
             Self::Edges { list, pipeline } => {
                 pass.set_pipeline(pipeline);
                 list.draw(pass);
             }
-            Self::Fat(fat) => fat.draw(pass),
             Self::Later(layer) => layer.draw(pass),
         }
     }
 }
 
 /// Back faces themselves.
-fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, variant: Variant) -> wgpu::RenderPipeline {
+fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, settings: &Settings) -> wgpu::RenderPipeline {
+    let variant = settings.variant;
     let compare = if variant == Variant::Equal { wgpu::CompareFunction::Equal } else { formats.nearer_or_equal() };
     let mut depth = formats.depth_state(compare);
     if let Variant::Offset { slope, constant, clamp } = variant {
@@ -139,8 +155,8 @@ fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, variant: Varian
         label: "image precision: back faces",
         wgsl: BACK_FACES,
         vertex: "back_vertex",
-        fragment: "back_fragment",
-        is_indexed: true,
+        fragment: Some(ink_fragment(settings)),
+        buffers: POSITIONS,
         culled: Some(wgpu::Face::Front),
         polygon_mode: if is_lines { wgpu::PolygonMode::Line } else { wgpu::PolygonMode::Fill },
         depth,
@@ -152,6 +168,7 @@ fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, variant: Varian
 pub(crate) fn line_pipeline(
     device: &wgpu::Device,
     formats: TargetFormats,
+    settings: &Settings,
     vertex: &'static str,
 ) -> wgpu::RenderPipeline {
     let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
@@ -160,8 +177,8 @@ pub(crate) fn line_pipeline(
         label: "image precision: lines",
         wgsl: SCREEN,
         vertex,
-        fragment: "line_fragment",
-        is_indexed: false,
+        fragment: Some(if settings.texture == Texture::Solid { ink_fragment(settings) } else { "textured_fragment" }),
+        buffers: &[],
         culled: None,
         polygon_mode: wgpu::PolygonMode::Fill,
         depth: formats.depth_state(formats.nearer_or_equal()),

@@ -3,8 +3,9 @@
 use super::back::line_pipeline;
 use crate::back_edges::drawing_layout;
 use crate::screen;
+use crate::settings::Settings;
 use crate::stage::{buffers_group, storage_buffer};
-use crate::style::StyleUniform;
+use crate::style::{self, StyleUniform};
 use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection};
@@ -17,6 +18,8 @@ pub(super) struct ExtraLines {
     edges: u32,
     /// Vertices of the view last prepared.
     vertices: u32,
+    /// Half of a line's width over what lines of the variant reach beside their edges.
+    half: f32,
     binding: CameraBinding,
     list: wgpu::BindGroup,
     pipeline: wgpu::RenderPipeline,
@@ -28,6 +31,7 @@ impl ExtraLines {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         edges: &[[u32; 2]],
+        settings: &Settings,
         formats: TargetFormats,
     ) -> Result<Option<Self>, MeshTooLarge> {
         if edges.is_empty() {
@@ -41,9 +45,10 @@ impl ExtraLines {
             // A mesh has fewer than 2^32 half-edges, by validation.
             edges: edges.len() as u32,
             vertices: 0,
+            half: (0.5 / style::reach(settings.variant)) as f32,
             binding: CameraBinding::new(device, &layout, size_of::<StyleUniform>()),
             list: buffers_group(device, "extra edges", &drawing_layout(device), &[&pairs]),
-            pipeline: line_pipeline(device, formats, "line_of_pair"),
+            pipeline: line_pipeline(device, formats, settings, "line_of_pair"),
         }))
     }
 
@@ -59,8 +64,7 @@ impl ExtraLines {
         range: ClipRange,
         direction: DepthDirection,
     ) {
-        let [low, high, low_falling, high_falling] = style.span;
-        let [half, half_falling] = [0.5 * (high - low), 0.5 * (high_falling - low_falling)];
+        let [half, half_falling] = style.reach.map(|reach| self.half * reach);
         let depth = -camera.view_matrix().transform_point3(bounds.center).z;
         let depth = depth.max(range.near + 0.1 * (range.far - range.near));
         let width_px = 2.0 * f64::from(half + half_falling / depth as f32);
@@ -68,11 +72,11 @@ impl ExtraLines {
         let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
         let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
         let rounding = screen::rounding(0.5 * width_px, true);
-        self.vertices = self.edges.saturating_mul(6 + 6 * rounding.fan);
+        self.vertices = self.edges.saturating_mul(6 * rounding.fan);
         let style = StyleUniform {
             fan: rounding.fan,
-            corner: rounding.corner as f32,
-            span: [-half, half, -half_falling, half_falling],
+            rim: rounding.rim(),
+            reach: [half, half_falling],
             lift: lift as f32,
             ..*style
         };

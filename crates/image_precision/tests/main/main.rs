@@ -1,6 +1,7 @@
 //! What the method draws, on whatever adapter there is.
 #![cfg(feature = "gpu")]
 
+mod economy;
 mod scaled;
 mod scene;
 mod variants;

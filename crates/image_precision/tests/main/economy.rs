@@ -1,0 +1,69 @@
+//! What is left out of the drawing of fattened polygons does not change their picture.
+
+use crate::scene::{count, draw, draw_within, framed, ink, torus};
+use silhouette_core::glam::{Quat, Vec3};
+use silhouette_core::mesh::TriangleMesh;
+use silhouette_core::shapes::by_name;
+use silhouette_core::view::ClipRange;
+use silhouette_gpu::TargetFormats;
+use silhouette_render::{DEFAULT_FORMATS, Image, testing::gpu_or_skip};
+
+/// Two tori through each other, a bumpy body, and a torus stretched so that its triangles are skewed.
+fn meshes() -> [TriangleMesh; 3] {
+    let torus = torus();
+    let moved = torus.positions().iter().map(|&p| Quat::from_rotation_x(1.2) * p + Vec3::X * 0.6);
+    let second = torus.positions().len() as u32;
+    let positions = torus.positions().iter().copied().chain(moved).collect();
+    let triangles = torus.triangles().iter().copied();
+    let triangles = triangles.clone().chain(triangles.map(|triangle| triangle.map(|vertex| vertex + second)));
+    let linked = TriangleMesh::new(positions, triangles.collect()).unwrap();
+    let skewed = torus.positions().iter().map(|p| Vec3::new(p.x + 3.0 * p.y, p.y, 0.4 * p.z)).collect();
+    let skewed = TriangleMesh::new(skewed, torus.triangles().to_vec()).unwrap();
+    [linked, by_name("blob:5672").unwrap(), skewed]
+}
+
+/// Pixels that differ among those that `matters` picks by column and row.
+fn differing(first: &Image, second: &Image, matters: impl Fn(usize, usize) -> bool) -> usize {
+    let pairs = first.rgba.chunks_exact(4).zip(second.rgba.chunks_exact(4));
+    let differs = |(index, (a, b)): &(usize, (&[u8], &[u8]))| a != b && matters(index % 256, index / 256);
+    pairs.enumerate().filter(differs).count()
+}
+
+#[test]
+fn polygons_behind_front_faces_are_left_out_unseen() {
+    let Some(gpu) = gpu_or_skip("polygons_behind_front_faces_are_left_out_unseen") else { return };
+    for samples in [1, 4] {
+        let formats = TargetFormats { samples, ..DEFAULT_FORMATS };
+        for mesh in meshes() {
+            let camera = framed(&mesh, 256);
+            for words in [&["variant=fatten"][..], &["variant=fatten", "fatten-clamp=1", "width=6"]] {
+                let found = draw(gpu, &mesh, &camera, words, formats).image;
+                // So near a near plane that no depths are far enough apart for anything to be left out.
+                let range = Some(ClipRange { near: 1e-5, far: 1e3 });
+                let all = draw_within(gpu, &mesh, &camera, words, formats, range).image;
+                let differing = differing(&found, &all, |_, _| true);
+                assert!(ink(&all) > 200 && differing * 500 < ink(&all), "{words:?}: {differing} of {}", ink(&all));
+            }
+        }
+    }
+}
+
+#[test]
+fn convex_polygons_cover_with_fewer_triangles_what_the_fan_covers() {
+    let Some(gpu) = gpu_or_skip("convex_polygons_cover_with_fewer_triangles_what_the_fan_covers") else { return };
+    // Dashes run along edges and take the fan of all triangles; where no dash may be blank both have the same ink.
+    let is_dash = |at: usize| ((at as f32 + 0.5) / 12.0).fract() < 0.6;
+    for mesh in meshes() {
+        let camera = framed(&mesh, 256);
+        for clamp in ["fatten-clamp=4", "fatten-clamp=0"] {
+            let words = ["variant=fatten", clamp, "width=5"];
+            let [solid, dashed] = ["texture=solid", "texture=dashes"].map(|texture| {
+                let words: Vec<&str> = words.into_iter().chain([texture]).collect();
+                draw(gpu, &mesh, &camera, &words, DEFAULT_FORMATS).image
+            });
+            let differing = differing(&solid, &dashed, |x, y| is_dash(x) && is_dash(y));
+            assert!(differing * 500 < ink(&solid), "{words:?}: {differing} of {}", ink(&solid));
+            assert!(ink(&dashed) < ink(&solid) && count(&dashed, |value| value == 0) > 300);
+        }
+    }
+}
