@@ -7,20 +7,24 @@
 //!
 //! 1. [`variants`]: what is drawn. [`paper`]: what is printed.
 //! 2. [`picture`]: one variant's picture of a view, scored. [`timed`]: frames over plain ones. [`measure`]: all of it.
-//! 3. [`predicted`]: widths that follow from the geometry.
+//! 3. [`predicted`]: widths that follow from the geometry. [`views`]: spheres from many sides. [`lost`]: faces that a picture is
+//!    too coarse for. [`soup`]: triangles whose winding says nothing.
 //! 4. [`rows`]: the figures. [`table`]: for a terminal. [`chart`]: widths and what shows through. [`page`]: for a browser.
 //!    [`write`](mod@write): as files.
 
 pub mod chart;
+pub mod lost;
 pub mod measure;
 pub mod page;
 pub mod paper;
 pub mod picture;
 pub mod predicted;
 pub mod rows;
+pub mod soup;
 pub mod table;
 pub mod timed;
 pub mod variants;
+pub mod views;
 pub mod write;
 
 pub use measure::{MeshResult, Reproduction, VariantResult, run};

@@ -36,6 +36,14 @@ pub fn scaled_width_px(k: f64) -> f64 {
 /// project, asked for 2 px: level of the icosphere, mean width and farthest ink in pixels.
 pub const FATTENED: [(u32, f64, f64); 4] = [(2, 2.9, 40.0), (3, 4.5, 120.0), (4, 9.6, 111.0), (5, 19.7, 143.0)];
 
+/// The label of the variant that [`FATTENED`] is of.
+pub const FATTENED_BY: &str = "fatten, as printed";
+
+/// Per cent of the front faces visible at 4096 x 4096 pixels whose numbers are not read back at 256, 512 and 1024, measured by
+/// an earlier experiment in another view: a part of the mesh's name, and the shares.
+pub const LOST: [(&str, [f64; 3]); 3] =
+    [("bunny", [42.0, 12.8, 3.4]), ("armadillo", [50.0, 16.0, 5.0]), ("icosphere:4", [4.0, 1.6, 0.4])];
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,15 +1,23 @@
 //! The figures: the paper's with ours, and ours that it lacks.
 
+use super::lost::Lost;
 use super::measure::{MeshResult, Reproduction, VariantResult};
 use super::paper::{PaperRow, ROWS};
 use super::predicted;
-use super::variants::VARIANTS;
+use super::soup::SoupResult;
+use super::variants::{UNORIENTED, VARIANTS};
 use crate::reproduce::Figure;
 
 /// The section of the paper that holds its frame rates.
 const PERFORMANCE: &str = "5. Performance";
 /// What the paper does not measure.
 const QUALITY: &str = "pictures";
+/// The same, as the command line draws where nothing else is asked.
+const SMOOTH: &str = "pictures, 4 samples a pixel";
+/// Faces whose number is not read back.
+const LOST: &str = "lost faces";
+/// Triangles whose winding says nothing.
+const SOUP: &str = "soup of a million triangles";
 /// What the geometry predicts.
 const PREDICTED: &str = "spheres";
 
@@ -17,10 +25,14 @@ const PREDICTED: &str = "spheres";
 pub fn figures(reproduction: &Reproduction) -> Vec<Figure> {
     let mut figures: Vec<Figure> = ROWS.iter().map(|row| printed(row, reproduction)).collect();
     for mesh in &reproduction.meshes {
-        figures.extend(mesh.variants.iter().chain(&mesh.shuffled).flat_map(|result| quality(mesh, result)));
+        let single = mesh.variants.iter().chain(&mesh.shuffled);
+        figures.extend(single.flat_map(|result| quality(QUALITY, mesh, result)));
+        figures.extend(mesh.smooth.iter().flat_map(|result| quality(SMOOTH, mesh, result)));
+        figures.extend(mesh.lost.iter().enumerate().flat_map(|(at, lost)| lost_faces(mesh, at, lost)));
         figures.extend(times(mesh, &reproduction.adapter));
         figures.extend(mesh.sphere_level.into_iter().flat_map(|level| sphere(mesh, level)));
     }
+    figures.extend(reproduction.soup.iter().flat_map(soup));
     figures
 }
 
@@ -64,13 +76,13 @@ pub(super) fn rate_kept(mesh: &MeshResult, label: &str) -> Option<f64> {
     Some(times.plain_ms / times.variants_ms[at]).filter(|rate| rate.is_finite())
 }
 
-fn quality(mesh: &MeshResult, result: &VariantResult) -> Vec<Figure> {
+fn quality(table: &str, mesh: &MeshResult, result: &VariantResult) -> Vec<Figure> {
     let row = format!("{}, {}", mesh.name, result.variant.label);
     let (score, metrics) = (&result.score, &result.score.metrics);
     let of = |metric: &str, unit: &str, ours: f64| Figure {
         ours: Some(ours),
         note: format!("expected: {}", result.variant.expected),
-        ..figure(QUALITY, row.clone(), metric, unit)
+        ..figure(table, row.clone(), metric, unit)
     };
     vec![
         of("mean width", "px", metrics.width_mean_px),
@@ -101,6 +113,42 @@ fn times(mesh: &MeshResult, adapter: &str) -> Vec<Figure> {
     rows.collect()
 }
 
+fn lost_faces(mesh: &MeshResult, at: usize, lost: &Lost) -> Vec<Figure> {
+    let row = format!("{}, {} x {}", mesh.name, lost.size_px, lost.size_px);
+    let of = |metric: &str, unit: &str, ours: f64, note: &str| Figure {
+        ours: Some(ours),
+        note: note.to_owned(),
+        ..figure(LOST, row.clone(), metric, unit)
+    };
+    let visible = format!("of the front faces visible at {} x {}", super::lost::FINE_PX, super::lost::FINE_PX);
+    let mut figures = vec![of("faces whose number is not read back", "%", 100.0 * lost.share, &visible)];
+    for (variant, extra) in UNORIENTED.iter().zip(lost.extra_px) {
+        figures.push(of(&format!("extra ink, {}", variant.label), "px", extra as f64, "beside the oriented variant's"));
+    }
+    if let Some((_, shares)) = predicted::LOST.into_iter().find(|(part, _)| mesh.name.contains(part)) {
+        let note = "measured by an earlier experiment in another view";
+        figures.push(of("faces whose number is not read back, predicted", "%", shares[at], note));
+    }
+    figures
+}
+
+fn soup(result: &SoupResult) -> Vec<Figure> {
+    let share = |count: usize, all: usize| 100.0 * count as f64 / all.max(1) as f64;
+    let of = |metric: &str, unit: &str, ours: f64| Figure {
+        ours: Some(ours),
+        note: format!(
+            "{} triangles in a random order, half of them turned, beside the oriented mesh",
+            result.triangles
+        ),
+        ..figure(SOUP, result.variant.label.to_owned(), metric, unit)
+    };
+    vec![
+        of("ink", "px", result.ink_px as f64),
+        of("false ink", "%", share(result.false_px, result.ink_px)),
+        of("ink that lacks", "%", share(result.lacking_px, result.expected_px)),
+    ]
+}
+
 /// Predicted values as rows of their own, beside the measured ones of the same name.
 fn sphere(mesh: &MeshResult, level: u32) -> Vec<Figure> {
     let of = |label: &str, metric: &str, predicted: f64, note: &str| Figure {
@@ -113,9 +161,15 @@ fn sphere(mesh: &MeshResult, level: u32) -> Vec<Figure> {
         .map(|(label, k)| of(label, "ink over length, predicted", predicted::scaled_width_px(k), geometry))
         .into();
     if let Some((_, mean, farthest)) = predicted::FATTENED.into_iter().find(|row| row.0 == level) {
-        let earlier = "measured by an earlier experiment";
-        figures.push(of("fatten, as printed", "ink over length, predicted", mean, earlier));
-        figures.push(of("fatten, as printed", "farthest ink, predicted", farthest, earlier));
+        let earlier = "measured by an earlier experiment in a view of its own";
+        figures.push(of(predicted::FATTENED_BY, "ink over length, predicted", mean, earlier));
+        figures.push(of(predicted::FATTENED_BY, "farthest ink, predicted", farthest, earlier));
+    }
+    if let Some(views) = mesh.views {
+        let note = format!("{} views spread evenly", super::views::VIEWS);
+        figures.push(of(predicted::FATTENED_BY, "ink over length, mean of views", views.mean_width_px, &note));
+        figures.push(of(predicted::FATTENED_BY, "farthest ink, least of views", views.farthest_px[0], &note));
+        figures.push(of(predicted::FATTENED_BY, "farthest ink, most of views", views.farthest_px[1], &note));
     }
     figures
 }

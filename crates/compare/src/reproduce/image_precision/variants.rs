@@ -63,6 +63,9 @@ pub const UNORIENTED: [Variant; 2] = [
     ),
 ];
 
+/// The oriented variants that [`UNORIENTED`] do the same as, one after another, where every face has a number that is seen.
+pub const UNORIENTED_LIKE: [Variant; 2] = [VARIANTS[4], VARIANTS[0]];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,5 +77,6 @@ mod tests {
         let labels: BTreeSet<_> = all.clone().map(|variant| variant.label).collect();
         assert_eq!(labels.len(), VARIANTS.len() + UNORIENTED.len());
         assert!(all.into_iter().all(|variant| variant.options().is_ok()));
+        assert_eq!(UNORIENTED_LIKE.map(|variant| variant.label), ["scale 0.99", "screen"]);
     }
 }
