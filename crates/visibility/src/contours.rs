@@ -154,6 +154,12 @@ pub fn holds([a, b, c]: [Vec3; 3], point: Vec3) -> bool {
 }
 
 impl ContourFinder<'_> {
+    /// The vertices of an edge, lower id first, and their positions.
+    pub fn ends(&self, edge: EdgeId) -> ([u32; 2], [Vec3; 2]) {
+        let vertices = self.topology.edges()[edge];
+        (vertices, vertices.map(|vertex| self.mesh.positions()[vertex as usize]))
+    }
+
     /// The facing of a face.
     pub fn facing(&self, face: FaceId) -> Facing {
         judge(self.mesh.corners(face), &self.viewpoint).facing
@@ -201,8 +207,7 @@ impl ContourFinder<'_> {
 
     /// The contour of a silhouette edge, an unpaired edge or one around the eye.
     fn contour(&self, edge: EdgeId) -> Option<Contour> {
-        let vertices = self.topology.edges()[edge];
-        let ends = vertices.map(|vertex| self.mesh.positions()[vertex as usize]);
+        let (vertices, ends) = self.ends(edge);
         if ends[0] == ends[1] {
             return None;
         }

@@ -1,7 +1,9 @@
 //! Step 3: a grid over the picture that says which contours pass near an edge.
 
+use crate::contours::EDGES_PER_TASK;
 use crate::events::Depth;
 use crate::frame::{ClippedEdge, PictureFrame};
+use rayon::prelude::*;
 use silhouette_core::glam::{DVec2, Vec4, Vec4Swizzles};
 
 /// Cells a contour: at about two, a short edge looks at few contours and the table stays as large as the contours.
@@ -66,7 +68,8 @@ pub struct PictureGrid {
 const MAX_DOUBT_PX: f64 = 1.0;
 
 impl PictureGrid {
-    /// Bins the contours. `clipped` yields each contour's part inside the picture. O(contours + cells that they pass).
+    /// Bins the contours. `clipped` yields each contour's part inside the picture. O(contours + cells that they pass),
+    /// parallel.
     pub fn new(frame: &PictureFrame, clipped: &[Option<ClippedEdge>]) -> Self {
         let size = frame.size();
         let count = clipped.len().max(1) as f64;
@@ -81,27 +84,29 @@ impl PictureGrid {
             boxes: clipped.iter().map(|edge| edge.as_ref().map_or(EdgeBox::NOWHERE, EdgeBox::of)).collect(),
             everywhere: Vec::new(),
         };
+        let passed = |(chunk, edges): (usize, &[Option<ClippedEdge>])| {
+            let mut passed: Vec<(u32, u32)> = Vec::with_capacity(edges.len() * 4);
+            for (index, edge) in (chunk * EDGES_PER_TASK..).zip(edges) {
+                if let Some(edge) = edge.as_ref().filter(|edge| is_certain(edge)) {
+                    grid.for_each_cell(edge, |cell| passed.push((cell as u32, index as u32)));
+                }
+            }
+            passed
+        };
+        let passed: Vec<Vec<(u32, u32)>> = clipped.par_chunks(EDGES_PER_TASK).enumerate().map(passed).collect();
+        let uncertain = |edge: &Option<ClippedEdge>| edge.as_ref().is_some_and(|edge| !is_certain(edge));
+        grid.everywhere = (0..).zip(clipped).filter(|(_, edge)| uncertain(edge)).map(|(index, _)| index).collect();
         // A counting sort: how many, where from, which.
         let mut first = std::mem::take(&mut grid.first);
-        for (index, edge) in clipped.iter().enumerate() {
-            match edge {
-                Some(edge) if is_certain(edge) => grid.for_each_cell(edge, |cell| first[cell + 1] += 1),
-                Some(_) => grid.everywhere.push(index as u32),
-                None => {}
-            }
-        }
+        passed.iter().flatten().for_each(|&(cell, _)| first[cell as usize + 1] += 1);
         for cell in 1..first.len() {
             first[cell] += first[cell - 1];
         }
         let mut items = vec![0; first.last().map_or(0, |&total| total as usize)];
         let mut next = first.clone();
-        for (index, edge) in clipped.iter().enumerate() {
-            if let Some(edge) = edge.as_ref().filter(|edge| is_certain(edge)) {
-                grid.for_each_cell(edge, |cell| {
-                    items[next[cell] as usize] = index as u32;
-                    next[cell] += 1;
-                });
-            }
+        for &(cell, index) in passed.iter().flatten() {
+            items[next[cell as usize] as usize] = index;
+            next[cell as usize] += 1;
         }
         (grid.first, grid.items) = (first, items);
         grid

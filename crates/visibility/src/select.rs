@@ -157,8 +157,7 @@ fn mesh_strokes(
     });
     let known: Vec<(EdgeId, LineKind, Option<&Contour>)> = known.collect();
     let stroke = |&(edge, kind, contour): &(EdgeId, LineKind, Option<&Contour>)| {
-        let vertices = finder.topology.edges()[edge];
-        let ends = vertices.map(|vertex| finder.mesh.positions()[vertex as usize]);
+        let (vertices, ends) = contour.map_or_else(|| finder.ends(edge), |contour| (contour.vertices, contour.ends));
         let first_face = finder.topology.half_edges(edge)[0].face();
         (ends[0] != ends[1]).then(|| Stroke {
             ends,
