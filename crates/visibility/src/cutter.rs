@@ -13,8 +13,8 @@ use crate::stroke::{Stroke, Strokes};
 /// Counts of what was done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct CutStats {
-    /// Pairs of a stroke and a contour that pass the same cell, or a face that may be passed through.
-    pub candidates: u64,
+    /// What was done, in pairs of a stroke and a contour that pass the same cell. See [`MAX_WORK`](crate::MAX_WORK).
+    pub work: u64,
     /// Pairs that were tested exactly.
     pub pairs: u64,
     /// Events found.
@@ -52,6 +52,13 @@ pub struct CutterScratch {
     /// Counts since they were taken.
     pub stats: CutStats,
 }
+
+/// What an exact test of a crossing costs, and the event that it may yield, in pairs that pass the same cell.
+const EXACT_PAIR: u64 = 64;
+
+/// Faces that a stroke may meet on an ordinary surface, and what each beyond them costs.
+const USUAL_FACES: u64 = 64;
+const CROWDED_FACE: u64 = 32;
 
 /// Distance in the picture within which a contour is taken to pass through a vertex, beyond both's own doubt.
 const TOUCH_PX: f64 = 1e-3;
@@ -101,7 +108,7 @@ impl StrokeCutter<'_> {
         let CutterScratch { near, seen_by, events, stats, .. } = scratch;
         let stroke = &self.strokes.strokes[index as usize];
         near.clear();
-        stats.candidates += self.grid.near(clipped, self.depth, near);
+        stats.work += self.grid.near(clipped, self.depth, near);
         seen_by.resize(self.contours.len(), 0);
         events.clear();
         let mut touched = [false; 2];
@@ -125,6 +132,7 @@ impl StrokeCutter<'_> {
                 continue;
             }
             stats.pairs += 1;
+            stats.work += EXACT_PAIR;
             if let Some(event) = crossing(stroke, &self.sight.viewpoint, contour_index, contour, self.depth) {
                 events.push(self.without_own_faces(stroke, contour, event));
             }
@@ -155,13 +163,14 @@ impl StrokeCutter<'_> {
         let is_left_out = |face| own.contains(&face) || self.finder.at_eye.binary_search(&face).is_ok();
         let segment = Segment { ends: stroke.ends, vertices: stroke.vertices };
         let CutterScratch { events, stats, .. } = scratch;
-        stats.candidates += segment.for_each_meeting(mesh, self.sight.tree, is_left_out, |meeting| {
+        let faces = segment.for_each_meeting(mesh, self.sight.tree, is_left_out, |meeting| {
             for (at_end, found) in touched.iter_mut().zip(meeting.touched) {
                 *at_end |= found;
             }
             let event = |passage| piercing(passage, mesh.corners(meeting.face), &self.sight.viewpoint);
             events.extend(meeting.passage.map(event));
         });
+        stats.work += faces.saturating_sub(USUAL_FACES) * CROWDED_FACE;
         touched
     }
 }

@@ -1,7 +1,7 @@
 //! Steps 4 to 8 for all strokes of a view, in parallel.
 
 use crate::cutter::{CutStats, CutterScratch, StrokeCutter};
-use crate::finder::{LineError, MAX_PAIRS};
+use crate::finder::{LineError, MAX_WORK};
 use crate::frame::ClippedEdge;
 use crate::gaps::Gap;
 use crate::pieces::{Piece, emit};
@@ -58,9 +58,9 @@ fn cut_all(
     progress: &dyn Progress,
 ) -> Result<Cuts, LineError> {
     progress.stage("visible lines", clipped.len() as u64);
-    let pairs = AtomicU64::new(0);
+    let work = AtomicU64::new(0);
     let cut_chunk = |scratch: &mut CutterScratch, (chunk, edges): (usize, &[Option<ClippedEdge>])| {
-        if pairs.load(Ordering::Relaxed) > MAX_PAIRS {
+        if work.load(Ordering::Relaxed) > MAX_WORK {
             return Err(LineError::TooCrowded);
         }
         progress.check()?;
@@ -74,7 +74,7 @@ fn cut_all(
             }
         }
         cuts.stats = std::mem::take(&mut scratch.stats);
-        pairs.fetch_add(cuts.stats.candidates, Ordering::Relaxed);
+        work.fetch_add(cuts.stats.work, Ordering::Relaxed);
         progress.advance(edges.len() as u64);
         Ok(cuts)
     };
@@ -88,9 +88,9 @@ fn cut_all(
             stroke.gaps = stroke.gaps.start + first..stroke.gaps.end + first;
             stroke
         }));
-        all.stats.candidates += cuts.stats.candidates;
+        all.stats.work += cuts.stats.work;
         all.stats.pairs += cuts.stats.pairs;
         all.stats.events += cuts.stats.events;
     }
-    if all.stats.candidates > MAX_PAIRS { Err(LineError::TooCrowded) } else { Ok(all) }
+    if all.stats.work > MAX_WORK { Err(LineError::TooCrowded) } else { Ok(all) }
 }

@@ -25,9 +25,9 @@ use silhouette_core::{Camera, Cancelled, Progress, Topology};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Pairs of an edge and a contour that pass the same cell of the picture, or of an edge and a face that may meet in space, that one
-/// view may look at: some ten seconds of work on one core. A picture with more is a tangle that no line drawing shows.
-pub const MAX_PAIRS: u64 = 2_000_000_000;
+/// Most work that one view may take, in pairs of an edge and a contour that pass the same cell of the picture; what costs more
+/// counts for more. Half a minute on one core, and a few GiB. A picture that takes more is a tangle that no line drawing shows.
+pub const MAX_WORK: u64 = 2_000_000_000;
 
 /// Why there are no lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -139,7 +139,7 @@ impl LineFinder {
         let clip_contour = |contour: &Contour| frame.clip(contour.ends, 1.0);
         // An edge seen end on has no place in the picture but a point.
         let clip_stroke = |stroke: &Stroke| {
-            let clipped = frame.clip_drawn(stroke.ends);
+            let clipped = frame.clip_drawn(stroke.ends, 0.0);
             clipped.filter(|edge| edge.length_px() > END_ON_PX || !stroke.is_seen_end_on(&viewpoint))
         };
         let clipped_contours: Vec<_> = contours.par_iter().with_min_len(EDGES_PER_TASK).map(clip_contour).collect();

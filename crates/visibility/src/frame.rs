@@ -121,12 +121,12 @@ impl PictureFrame {
         self.size
     }
 
-    /// The part of an edge inside the picture, as it is drawn: without what is so near to the eye that it has no certain
-    /// place in the picture. O(1).
-    pub fn clip_drawn(&self, ends: [Vec3; 2]) -> Option<ClippedEdge> {
+    /// The part of an edge inside the picture, grown by `margin_px` on each side, as it is drawn: without what is so near to
+    /// the eye that it has no certain place in the picture. Its pixels are finite. O(1).
+    pub fn clip_drawn(&self, ends: [Vec3; 2], margin_px: f64) -> Option<ClippedEdge> {
         let is_perspective = self.rows[2].truncate() != DVec3::ZERO;
         let least_w = self.error * (1.0 + self.size.max_element()) / DRAWN_DOUBT_PX;
-        self.clip_beyond(ends, 0.0, if is_perspective { least_w } else { 0.0 })
+        self.clip_beyond(ends, margin_px, if is_perspective { least_w } else { 0.0 })
     }
 
     /// The part of the edge inside the picture, grown by `margin_px` on each side; `None` where there is none. O(1).

@@ -123,10 +123,10 @@ fn segments(mesh: &PreparedMesh, topology: &Topology, places: &[Meeting]) -> Vec
         let shared = one.into_iter().find(|vertex| other.contains(vertex));
         ends.extend(shared.map(|id| IntersectionEnd { place: mesh.positions()[id as usize], id }));
         // More than two where an edge passes exactly through a rim: the farthest two.
-        let mut best: Option<(f32, [IntersectionEnd; 2])> = None;
+        let mut best: Option<(f64, [IntersectionEnd; 2])> = None;
         for (index, &one) in ends.iter().enumerate() {
             for &other in &ends[index + 1..] {
-                let distance = one.place.distance_squared(other.place);
+                let distance = one.place.as_dvec3().distance_squared(other.place.as_dvec3());
                 if distance > best.map_or(0.0, |(longest, _)| longest) {
                     best = Some((distance, [one, other]));
                 }

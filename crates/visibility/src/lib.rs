@@ -74,7 +74,7 @@ pub use cache::LineCache;
 pub use chains::{Chain, ChainStyle, Chains, SegmentSource};
 pub use contours::UnpairedEdges;
 pub use face_tree::FaceTree;
-pub use finder::{LineError, LineFinder, MAX_PAIRS};
+pub use finder::{LineError, LineFinder, MAX_WORK};
 pub use intersections::{FaceIntersections, Intersection, IntersectionEnd};
 pub use kind::LineKind;
 pub use lines::{LineStats, Lines};

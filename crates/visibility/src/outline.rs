@@ -63,7 +63,7 @@ pub fn outermost_outline(
         contours.push(contour);
     }
     let margin = frame.size().max_element() * SURROUNDINGS;
-    let clip = |contour: &Contour| frame.clip(contour.ends, margin);
+    let clip = |contour: &Contour| frame.clip_drawn(contour.ends, margin);
     let clipped: Vec<_> = contours.par_iter().map(clip).collect();
     let grid = PictureGrid::new(frame, &clipped);
     let cutter =

@@ -27,6 +27,9 @@ const MAX_SIGHT_FACES: u64 = 200_000_000;
 /// Seeds that a task takes: some 0.05 ms of work.
 const SEEDS_PER_TASK: usize = 16;
 
+/// Strokes times faces at a vertex up to which the strokes tell each other their layers.
+const MOST_AT_A_VERTEX: usize = 1 << 16;
+
 /// Vertices that a task takes: some 0.05 ms of work.
 const GROUPS_PER_TASK: usize = 64;
 
@@ -77,7 +80,7 @@ impl Propagation<'_> {
     /// The layers in front of each gap, and the number of sight lines that were cast. Layers of an empty gap may mean
     /// nothing.
     ///
-    /// O(gaps + faces around the strokes' vertices + log F a sight line), parallel.
+    /// O(gaps + faces around the ends of strokes + log F a sight line), parallel.
     ///
     /// # Errors
     /// [`LineError`].
@@ -151,7 +154,8 @@ impl Propagation<'_> {
         (all_spans, ends)
     }
 
-    /// Spans that meet in a vertex, and the layers of the second's first gap beyond those of the first's.
+    /// Spans that meet in a vertex, and the layers of the second's first gap beyond those of the first's. Where very many
+    /// strokes and faces meet, as at the apex of a fine cone, none are told, and each stroke has a line of sight of its own.
     fn differences(&self, ends: &[StrokeEnd]) -> Vec<(u32, u32, Layers)> {
         let mut order: Vec<(u32, u32)> = ends.iter().zip(0..).map(|(end, index)| (end.vertex, index)).collect();
         order.par_sort_unstable();
@@ -159,6 +163,7 @@ impl Propagation<'_> {
         let groups: Vec<&[(u32, u32)]> = order
             .chunk_by(|one, other| one.0 == other.0)
             .filter(|group| group.len() > 1 && !group.iter().any(|at| end(at).touched))
+            .filter(|group| group.len() * self.vertex_faces.of(group[0].0).len() <= MOST_AT_A_VERTEX)
             .collect();
         let of_task = |groups: &[&[(u32, u32)]]| {
             let mut found = Vec::with_capacity(groups.len());

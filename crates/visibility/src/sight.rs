@@ -126,7 +126,7 @@ impl Sight<'_> {
 
     /// Layers that cut the sight line to the point at `t` of `stroke`, faces for which `is_own` holds left out.
     ///
-    /// O(log F + faces along the sight line).
+    /// O(log F + faces along the sight line), times what `is_own` costs.
     pub fn look(&self, stroke: &Stroke, t: f64, is_own: impl Fn(FaceId) -> bool) -> Seen {
         let place = stroke.at(t);
         let toward_viewer = self.toward_viewer(place);

@@ -20,7 +20,7 @@ pub struct LinesArguments {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Threads to work with [default: as many as the machine runs]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
     /// Looks up what is visible in a picture of face ids, twice as fine as the view, instead of deciding it exactly: misses
     /// less than 0.5 % of the visible length, and on fine meshes draws nearly as much again that is hidden, all but 0.2 % of
@@ -34,7 +34,7 @@ pub struct LinesArguments {
     #[arg(long)]
     pub stats: bool,
     #[command(flatten)]
-    pub which: WhichLines,
+    which: WhichLines,
     #[command(flatten)]
     page: PageArguments,
     #[command(flatten)]
@@ -46,7 +46,7 @@ pub struct LinesArguments {
 /// Which lines are drawn besides silhouettes and boundaries.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Lines")]
-pub struct WhichLines {
+struct WhichLines {
     /// Hidden lines, too, in layers of their own: dashed, solid or drop [default: drop; --hidden alone: dashed]
     #[arg(long, value_enum, value_name = "HOW", num_args = 0..=1, require_equals = true, default_missing_value = "dashed")]
     hidden: Option<HiddenArgument>,
@@ -61,7 +61,7 @@ pub struct WhichLines {
     valley: Option<f64>,
     /// Edges between faces of different materials or groups (OBJ: usemtl and g; glTF: materials, with --weld)
     #[arg(long)]
-    pub materials: bool,
+    materials: bool,
     /// Every edge of the mesh
     #[arg(long)]
     all_edges: bool,
@@ -217,7 +217,7 @@ impl LinesArguments {
             UnitArgument::Mm => Unit::Mm,
             UnitArgument::Px => Unit::Px,
         };
-        let (pens, hidden_dash) = self.pens.pens(unit)?;
+        let (pens, hidden_dash) = self.pens.pens(unit, self.which.hidden == Some(HiddenArgument::Dashed))?;
         let defaults = PlotOptions::default();
         Ok(PlotOptions {
             unit,
@@ -276,8 +276,8 @@ impl PageArguments {
 }
 
 impl PenArguments {
-    /// The pens, and the pattern of hidden lines.
-    fn pens(&self, unit: Unit) -> Result<(Pens, Dash), Failure> {
+    /// The pens, and the pattern of hidden lines, which may be given where they are drawn dashed.
+    fn pens(&self, unit: Unit, draws_dashes: bool) -> Result<(Pens, Dash), Failure> {
         let mut pens = Pens::default();
         for word in &self.width {
             let (kind, text) = split(word);
@@ -301,6 +301,9 @@ impl PenArguments {
             let expected = || Failure::Input(format!("--dash {word}: expected two lengths such as {kind}=2mm,1mm"));
             let dash = parts(text).ok_or_else(expected)?;
             if kind == HIDDEN {
+                if !draws_dashes {
+                    return Err(Failure::Input(format!("--dash {word}: hidden lines are not dashed; add --hidden")));
+                }
                 hidden = dash;
             } else {
                 change("--dash", Some(kind), &mut pens, |pen| pen.dash = Some(dash))?;

@@ -6,7 +6,7 @@
 //! 2. In bands of rows, the pieces are united (`i_overlay`): ink over ink is ink, not twice ink.
 //! 3. The union's area in each pixel is [accumulated](super::coverage).
 //!
-//! Arcs are drawn as chords that stray by at most [`ARC_PX`], coordinates are rounded to at most 2^-16 px (2^-19 px in a
+//! Arcs are drawn as chords that stray by at most [`ARC_PX`], coordinates are rounded to at most 2^-14 px (2^-19 px in a
 //! picture of 512 x 512). Bands are independent, so the result is the same bits for any number of threads.
 
 use super::coverage::CoverageRows;

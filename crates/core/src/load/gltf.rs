@@ -126,13 +126,17 @@ struct Surface {
 
 impl Surface {
     /// `None` for points, lines, and primitives whose positions are left to an extension.
-    fn of(primitive: &Primitive) -> Result<Option<Self>, Problem> {
+    fn of(root: &Root, primitive: &Primitive) -> Result<Option<Self>, Problem> {
         let Checked::Valid(mode) = primitive.mode else {
             return Err(Problem::expected("a mode from 0 to 6", b"another number"));
         };
         let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions)).copied();
         let positions = positions.filter(|_| matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan));
-        let label = primitive.material.map_or(0, |material| material.value() as u32 + 1);
+        let label = match primitive.material {
+            None => 0,
+            Some(material) if material.value() < root.materials.len() => material.value() as u32 + 1,
+            Some(_) => return Err(dangling("materials", root.materials.len())),
+        };
         Ok(positions.map(|positions| Self { mode, positions, indices: primitive.indices, label }))
     }
 }
@@ -187,7 +191,7 @@ impl SceneReader<'_> {
         let element = format!("meshes[{}]", index.value());
         let mesh = root.get(index).ok_or_else(|| missing(&element, "meshes", root.meshes.len()))?;
         for (rank, primitive) in mesh.primitives.iter().enumerate() {
-            let visited = Surface::of(primitive).and_then(|surface| surface.map_or(Ok(()), |s| visit(self, s)));
+            let visited = Surface::of(root, primitive).and_then(|surface| surface.map_or(Ok(()), |s| visit(self, s)));
             visited.map_err(|problem| at_element(format!("{element}.primitives[{rank}]"), problem))?;
         }
         Ok(())

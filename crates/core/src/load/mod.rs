@@ -189,7 +189,11 @@ fn read_beside(
         #[cfg(feature = "stl")]
         Format::Stl => stl::read(bytes, &mut steps),
         #[cfg(feature = "gltf")]
-        Format::Gltf => gltf::read(bytes, folder, progress),
+        Format::Gltf => {
+            // Parsed in one go, and assembled in a stage of its own.
+            steps.report(bytes.len())?;
+            return gltf::read(bytes, folder, progress);
+        }
         #[cfg(not(all(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")))]
         format => Err(Problem::FeatureOff { format }.into()),
     };

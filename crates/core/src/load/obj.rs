@@ -18,7 +18,7 @@ pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, 
     let mut reader = Reader::default();
     while let Some(line) = lines.next_line() {
         let first_number = lines.number();
-        if line.ends_with(b"\\") && !line.trim_ascii_start().starts_with(b"#") {
+        if line.ends_with(b"\\") && !ends_in_comment(line) {
             join(line, &mut lines, &mut joined);
             reader.row(Words::new(&joined, first_number))?;
         } else {
@@ -27,6 +27,11 @@ pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, 
         steps.reach(lines.offset())?;
     }
     reader.finish()
+}
+
+/// Whether a word of the row begins a comment.
+fn ends_in_comment(line: &[u8]) -> bool {
+    line.split(u8::is_ascii_whitespace).any(|word| word.starts_with(b"#"))
 }
 
 /// Collects a row and the rows that its trailing backslashes join to it.
@@ -71,15 +76,21 @@ const GROUPS: usize = 1;
 impl Sorts {
     /// Changes the material or the groups to what a row names.
     fn name(&mut self, which: usize, mut words: Words<'_>) {
-        let mut name = Vec::new();
+        let mut of_row = Vec::new();
         while !words.is_empty() {
             let word = words.word();
             if word.starts_with(b"#") {
                 break;
             }
-            name.extend_from_slice(word);
-            name.push(b' ');
+            of_row.push(word);
         }
+        if which == GROUPS {
+            // A set of names, in any order; this one stands for none.
+            of_row.sort_unstable();
+            of_row.dedup();
+            of_row.retain(|&word| word != b"default");
+        }
+        let name = of_row.join(&b' ');
         let next = self.numbers[which].len() as u32 + 1;
         self.current[which] = if name.is_empty() { 0 } else { *self.numbers[which].entry(name).or_insert(next) };
         self.has_changed = true;

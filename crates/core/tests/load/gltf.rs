@@ -1,4 +1,4 @@
-use crate::expectations::{SQUARE, accepted, assert_square, labels, positions};
+use crate::expectations::{SQUARE, accepted, assert_refused, assert_square, labels, positions};
 use base64::Engine as _;
 use silhouette_core::load::{Format::Gltf, load};
 
@@ -138,7 +138,9 @@ fn materials_label_faces() {
     for material in ["", r#","material":1"#, r#","material":0"#] {
         document.mesh(positions, &format!(r#","indices":{faces}{material}"#));
     }
-    assert_eq!(labels(Gltf, document.embedded()), Some(vec![0, 2, 1]));
+    let json = |materials: &str| document.embedded().replacen('{', &format!("{{{materials}"), 1);
+    assert_eq!(labels(Gltf, json(r#""materials":[{},{}],"#)), Some(vec![0, 2, 1]));
+    assert_refused(Gltf, json(r#""materials":[{}],"#), ", meshes[1].primitives[0]", &["materials"]);
 }
 
 #[test]

@@ -32,7 +32,8 @@ fn materials_and_groups_label_faces() {
         label("usemtl red # bright\nf 1 2 3 4\ng left\nf 1 2 3\nusemtl red\ng\nf 1 3 4\n"),
         Some(vec![1, 1, 2, 1])
     );
-    assert_eq!(label("g a b\nf 1 2 3\ng a  b\nf 1 3 4\n"), None, "names are words");
+    assert_eq!(label("g a b\nf 1 2 3\ng b  a\nf 1 3 4\n"), None, "groups are a set of words");
+    assert_eq!(label("f 1 2 3\ng default\nf 1 3 4\n"), None, "the format's own name of no group");
     assert_eq!(label("f 1 2 3\nusemtl red\ng far\nusemtl\ng\nf 1 3 4\n"), None, "names that no face had");
     assert_eq!(label("o one\nf 1 2 3\no two\nf 1 3 4\n"), None, "objects are no groups");
 }

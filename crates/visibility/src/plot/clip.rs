@@ -103,7 +103,7 @@ fn roots(a: f64, b: f64, c: f64) -> impl Iterator<Item = f64> {
     [far / a, c / far].into_iter().filter(|&t| t > 0.0 && t < 1.0)
 }
 
-/// The largest number from which on `holds` is false.
+/// The least number from which on `holds` is false.
 fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = (low + high) * 0.5;
@@ -224,6 +224,8 @@ mod tests {
             let part = clip_polygon(&corners, &ROOM);
             prop_assert!(part.iter().all(|&corner| ROOM.holds(corner)));
             prop_assert!(area(&part).abs() <= area(&corners).abs() + 1e-9);
+            let kept = corners.iter().filter(|&&corner| ROOM.holds(corner));
+            prop_assert!(kept.clone().all(|corner| part.iter().any(|other| other.distance(*corner) < 1e-12)));
         }
     }
 }

@@ -146,7 +146,7 @@ fn place_layers(lines: &Lines, options: &PlotOptions, placement: &Placement, sta
         let Some((pen, dash)) = name.pen(options) else { continue };
         let mut paths = Paths::default();
         if name == LayerName::Outline {
-            place::place_outline(&lines.outline, placement, &mut paths);
+            stats.cut_off += place::place_outline(&lines.outline, &lines.camera, placement, &mut paths);
         } else {
             let chains = lines.chains.iter().filter(|chain: &Chain<'_>| LayerName::of(chain.style) == name);
             stats.cut_off += place::place(chains, &lines.camera, placement, &mut paths);

@@ -83,8 +83,13 @@ impl Default for PlotOptions {
     }
 }
 
-/// Largest side of a page in millimetres.
+/// Smallest and largest side of a page in millimetres.
+const MIN_PAGE_MM: f64 = 1.0;
 const MAX_PAGE_MM: f64 = 10_000.0;
+/// Thinnest pen in millimetres: files hold three decimals of their unit.
+const MIN_PEN_MM: f64 = 0.001;
+/// Largest scale in millimetres a unit: more would leave nothing on any page.
+const MAX_SCALE: f64 = 1e9;
 /// Shortest stroke or gap of a pattern in millimetres: no pen draws shorter ones, and files stay finite.
 const MIN_DASH_MM: f64 = 0.1;
 
@@ -96,7 +101,7 @@ impl PlotOptions {
     pub fn check(&self, camera: &Camera) -> Result<(), PlotError> {
         if let Some(sheet) = &self.sheet {
             let sides = sheet.page.size(Unit::Mm);
-            if !sides.iter().all(|&side| side > 0.0 && side <= MAX_PAGE_MM) {
+            if !sides.iter().all(|&side| (MIN_PAGE_MM..=MAX_PAGE_MM).contains(&side)) {
                 return Err(PlotError::Page);
             }
             let margin = sheet.margin.to(Unit::Mm);
@@ -104,7 +109,7 @@ impl PlotOptions {
                 return Err(PlotError::Margin { margin: sheet.margin });
             }
             if let Fit::Scale { mm_per_unit } = sheet.fit {
-                if !(mm_per_unit > 0.0 && mm_per_unit.is_finite()) {
+                if !(mm_per_unit > 0.0 && mm_per_unit <= MAX_SCALE) {
                     return Err(PlotError::Scale);
                 }
                 if !matches!(camera.projection(), Projection::Orthographic { .. }) {
@@ -118,7 +123,8 @@ impl PlotOptions {
                 return Err(PlotError::Negative { what, length });
             }
         }
-        if let Some(pen) = self.pens.iter().find(|pen| !is_length(pen.width) || pen.width.to(Unit::Mm) <= 0.0) {
+        let widths = MIN_PEN_MM..=MAX_PAGE_MM;
+        if let Some(pen) = self.pens.iter().find(|pen| !widths.contains(&pen.width.to(Unit::Mm))) {
             return Err(PlotError::Width { width: pen.width });
         }
         let hidden = if let Hidden::Dashed(dash) = self.hidden { Some(dash) } else { None };
@@ -137,8 +143,8 @@ impl PlotOptions {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// A side of the page is not above 0 or longer than ten metres.
-    #[error("the page's sides must be above 0 and at most 10 m")]
+    /// A side of the page is shorter than a millimetre or longer than ten metres.
+    #[error("the page's sides must be 1 mm to 10 m")]
     Page,
     /// The margins are negative or leave nothing of the page.
     #[error("margins of {margin} leave nothing of the page; choose smaller ones, from 0")]
@@ -146,8 +152,8 @@ pub enum PlotError {
         /// The margin given.
         margin: Length,
     },
-    /// The scale is not above 0.
-    #[error("the scale must be a number above 0, in millimetres a unit of the mesh")]
+    /// The scale is not above 0, or beyond reason.
+    #[error("the scale must be above 0 and at most 1e9, in millimetres a unit of the mesh")]
     Scale,
     /// True scale was asked for of a perspective.
     #[error("true scale needs an orthographic view: a perspective has another scale at each depth")]
@@ -161,7 +167,7 @@ pub enum PlotError {
         length: Length,
     },
     /// A pen without width.
-    #[error("a pen's width of {width} must be above 0")]
+    #[error("a pen's width of {width} must be 0.001mm to 10 m")]
     Width {
         /// The width given.
         width: Length,

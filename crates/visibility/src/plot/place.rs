@@ -41,7 +41,7 @@ impl Placement {
         outline: &[Vec<DVec2>],
     ) -> Self {
         let unit = options.unit;
-        let view = Rectangle { min: DVec2::ZERO, max: DVec2::from_array(camera.size().map(f64::from)) };
+        let view = viewport(camera);
         let Some(sheet) = options.sheet else {
             let scale = Length::px(1.0).to(unit);
             let [width, height] = (view.max * scale).to_array();
@@ -109,7 +109,7 @@ pub fn place<'a>(
     placement: &Placement,
     out: &mut Paths,
 ) -> f64 {
-    let view = Rectangle { min: DVec2::ZERO, max: DVec2::from_array(camera.size().map(f64::from)) };
+    let view = viewport(camera);
     let mut cut_off = 0.0;
     for chain in chains {
         let path = as_path(&chain);
@@ -148,9 +148,21 @@ pub fn place<'a>(
     cut_off.max(0.0) * placement.scale
 }
 
-/// Places the outline: polygons stay closed, and run along the sides where they are cut off. O(points).
-pub fn place_outline(outline: &[Vec<DVec2>], placement: &Placement, out: &mut Paths) {
+/// Places the outline: polygons stay closed, and run along the sides where they are cut off. Yields the length of what is
+/// cut off, as [`place()`] does. O(points).
+pub fn place_outline(outline: &[Vec<DVec2>], camera: &Camera, placement: &Placement, out: &mut Paths) -> f64 {
+    let view = viewport(camera);
+    let mut cut_off = 0.0;
     for polygon in outline {
+        for (index, &to) in polygon.iter().enumerate() {
+            let from = polygon[(index + polygon.len() - 1) % polygon.len()];
+            let within = |room: &Rectangle| {
+                let mut length = 0.0;
+                clip(&Segment { from, to, handles: None }, room, |part| length += part.length());
+                length
+            };
+            cut_off += within(&view) - within(&placement.window);
+        }
         let corners = clip_polygon(polygon, &placement.window);
         if corners.len() >= 3 {
             out.begin();
@@ -158,6 +170,11 @@ pub fn place_outline(outline: &[Vec<DVec2>], placement: &Placement, out: &mut Pa
             out.finish(true);
         }
     }
+    cut_off.max(0.0) * placement.scale
+}
+
+fn viewport(camera: &Camera) -> Rectangle {
+    Rectangle { min: DVec2::ZERO, max: DVec2::from_array(camera.size().map(f64::from)) }
 }
 
 fn as_path<'a>(chain: &Chain<'a>) -> Path<'a> {

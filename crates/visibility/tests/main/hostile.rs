@@ -323,3 +323,26 @@ fn all_of_a_million_edges_seen_edge_on_are_refused() {
     let options = LineOptions { mesh: true, ..LineOptions::default() };
     assert_eq!(finder.find(&camera, &options, &NoProgress).unwrap_err(), LineError::TooCrowded);
 }
+
+/// Many faces in one place, around one vertex, and around one edge: a result in bounded time.
+#[test]
+fn crowds_of_faces() {
+    let pile = triangles(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], &[[0, 1, 2]; 3000]);
+    let sectors = 1500_u32;
+    let turn = |sector: u32| sector as f32 * std::f32::consts::TAU / sectors as f32;
+    let rim = (0..sectors).map(|sector| [turn(sector).cos(), turn(sector).sin(), 0.0]);
+    let cone: Vec<[f32; 3]> = [[0.0, 0.0, 1.0]].into_iter().chain(rim.clone()).collect();
+    let next = |sector: u32| 1 + (sector + 1) % sectors;
+    let cone = triangles(&cone, &(0..sectors).map(|sector| [0, 1 + sector, next(sector)]).collect::<Vec<_>>());
+    let spine = [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
+    let book: Vec<[f32; 3]> = spine.into_iter().chain(rim.take(400)).collect();
+    let book = triangles(&book, &(0..400).map(|leaf| [0, 1, 2 + leaf]).collect::<Vec<_>>());
+    let all_edges = LineOptions { mesh: true, max_invisibility: u32::MAX, ..LineOptions::default() };
+    for (name, mesh, least) in [("pile", pile, 3), ("cone", cone, 3000), ("book", book, 801)] {
+        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+        let mut finder = LineFinder::for_many_views(scene, &NoProgress).unwrap();
+        let camera = framing(&mesh, DVec3::new(0.3, 0.2, 1.0), true);
+        let lines = finder.find(&camera, &all_edges, &NoProgress).unwrap();
+        assert!(lines.stats.edges >= least && !lines.chains.is_empty(), "{name}: {:?}", lines.stats);
+    }
+}

@@ -1,7 +1,7 @@
 //! The outermost outline against the picture of all faces.
 
-use crate::scenes::{builtin, directions, framing, model};
-use silhouette_core::glam::{DVec2, DVec3};
+use crate::scenes::{builtin, directions, framing, look, model};
+use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::{Camera, NoProgress, PreparedMesh, TriangleMesh};
 use silhouette_visibility::{LineFinder, LineOptions, LineScene};
 use std::sync::Arc;
@@ -99,4 +99,14 @@ fn the_outline_of_another_view_is_seen_to_be_wrong() {
     let wrong = points
         .filter(|&point| is_inside(&polygons, point).is_some_and(|inside| inside != is_covered(&triangles, point)));
     assert!(wrong.count() > 20);
+}
+
+/// Two faces that share an edge with an end at the eye, one of them without area.
+#[test]
+fn a_contour_through_the_eye_leaves_the_outline_finite() {
+    let eye = Vec3::NEG_Z;
+    let corners = vec![Vec3::new(0.0, -2.0, -2.0), Vec3::new(0.0, 2.0, 0.0), eye, Vec3::new(-1.0, -2.0, 0.0)];
+    let mesh = TriangleMesh::new(corners, vec![[2, 0, 1], [2, 1, 3]]).unwrap();
+    let polygons = outline(&mesh, &look(eye, Vec3::ZERO, 60.0, [640, 480]));
+    assert!(polygons.iter().flatten().all(|corner| corner.is_finite()), "{polygons:?}");
 }
