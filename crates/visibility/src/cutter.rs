@@ -58,7 +58,7 @@ const EXACT_PAIR: u64 = 64;
 
 /// Faces that a stroke may meet on an ordinary surface, and what each beyond them costs.
 const USUAL_FACES: u64 = 64;
-const CROWDED_FACE: u64 = 32;
+const CROWDED_FACE: u64 = 4;
 
 /// Distance in the picture within which a contour is taken to pass through a vertex, beyond both's own doubt.
 const TOUCH_PX: f64 = 1e-3;
