@@ -153,7 +153,7 @@ struct PenArguments {
     /// Colour of all pens, or of one kind's: #1a2b3c, silhouette=#000000; may be given several times
     #[arg(long, value_name = "[KIND=]#RRGGBB", visible_alias = "color")]
     colour: Vec<String>,
-    /// Strokes and gaps of one kind of visible line: curve=3mm,1mm; of hidden ones: hidden=2mm,1mm
+    /// Strokes and gaps of one kind of visible line: curve=3mm,1mm; of hidden ones, with --hidden: hidden=2mm,1mm
     #[arg(long, value_name = "KIND=ON,OFF")]
     dash: Vec<String>,
     /// How strokes end
@@ -190,6 +190,11 @@ const OUTLINE: &str = "outline";
 const HIDDEN: &str = "hidden";
 
 impl LinesArguments {
+    /// Whether borders of materials are wanted, so that it has to be known which faces are of one.
+    pub fn wants_materials(&self) -> bool {
+        self.which.materials && self.line_options().material
+    }
+
     /// Which lines are wanted.
     pub fn line_options(&self) -> LineOptions {
         let which = &self.which;
@@ -201,7 +206,7 @@ impl LinesArguments {
             back_boundary: others,
             ridge_deg: which.creases.or(which.ridge).filter(|_| others),
             valley_deg: which.creases.or(which.valley).filter(|_| others),
-            material: which.materials && others,
+            material: others,
             intersection: which.intersections && others,
             mesh: which.all_edges && others,
             curves: others,

@@ -47,7 +47,7 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let started = Instant::now();
     let meshes = meshes(arguments, &progress)?;
     let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
-    let scene = scene_of(&meshes, arguments.line_options().material, &names)?;
+    let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
     let bounds = scene.mesh().mesh().bounds();
     let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
     let camera = arguments.camera.camera(&bounds)?;
