@@ -1,7 +1,8 @@
 // Edges of back faces, listed for drawing. Twin: crates/image_precision/src/back_edges.rs
 //
 // An edge between two back faces cannot be a silhouette edge. The table counts back faces for every edge, known by the
-// positions of its ends; those counted once are listed. Which face comes first is left to chance; the list as a set is not.
+// positions of its ends; those counted once are listed. Which face comes first is left to chance; the list as a set is not,
+// as long as every edge finds a place within the longest probe.
 
 // The faces: their number, and their own numbers.
 @group(2) @binding(0) var<storage, read> faces: array<u32>;
@@ -26,6 +27,13 @@ fn mixed(hash: u32, word: u32) -> u32 {
     return h ^ (h >> 15u);
 }
 
+// The end of Appleby's MurmurHash3: every bit takes part in every other.
+fn finished(hash: u32) -> u32 {
+    let h = (hash ^ (hash >> 16u)) * 0x85ebca6bu;
+    let g = (h ^ (h >> 13u)) * 0xc2b2ae35u;
+    return g ^ (g >> 16u);
+}
+
 fn hash_of(p: vec3<f32>) -> u32 {
     // Minus zero is zero.
     let words = bitcast<vec3<u32>>(select(p, vec3<f32>(0.0), p == vec3<f32>(0.0)));
@@ -45,7 +53,7 @@ fn count(corner: u32, front: u32) {
     let b = corner_position(next_corner(corner));
     let ends = vec2<u32>(hash_of(a), hash_of(b));
     // The same whichever end comes first.
-    let hash = mixed(ends.x ^ ends.y, ends.x + ends.y);
+    let hash = finished(mixed(mixed(0x811c9dc5u, min(ends.x, ends.y)), max(ends.x, ends.y)));
     let tag_mask = ~(SHARED | FRONT | style.corner_mask);
     let entry = (corner + 1u) | front | (hash & tag_mask);
     // Bits that no tag holds take part as well.
@@ -62,7 +70,8 @@ fn count(corner: u32, front: u32) {
                 atomicOr(&table[slot], SHARED);
                 return;
             }
-            slot = (slot + 1u) & style.slot_mask;
+            // Steps that grow by one visit every slot of a power of two, and part edges that begin side by side.
+            slot = (slot + probe + 1u) & style.slot_mask;
         }
     }
     // A full neighbourhood: the edge is drawn, hidden or not.

@@ -2,7 +2,8 @@
 // Twin: crates/image_precision/src/fatten_list.rs
 //
 // A polygon of n corners has 2 n + 1 vertices, at a place of its own: its middle, and the ends of each pushed edge. The paper
-// draws 2 n triangles about the middle. Where the fattened polygon is convex, 2 n - 2 about its first vertex cover the same.
+// draws 2 n triangles about the middle. Where the fattened polygon is convex, 2 n - 2 about its first vertex cover the same;
+// polygons are convex themselves, so that turning left at every vertex tells it.
 
 // The polygons: their number, and their own numbers.
 @group(2) @binding(0) var<storage, read> faces: array<u32>;
@@ -13,9 +14,8 @@
 @group(2) @binding(4) var<storage, read_write> notes: array<u32>;
 @group(2) @binding(5) var<storage, read_write> indices: array<u32>;
 
-// What `style.noted` says of the notes of vertices.
+// What `style.noted` says where notes of vertices are levels.
 const NOTED_LEVEL: u32 = 1u;
-const NOTED_FACING: u32 = 2u;
 
 // Whether two successive pushed edges make a fattened polygon turn left, before the bevel between them and after it.
 fn bevels_left(edge: vec3<f32>, pushed: vec3<f32>, next_edge: vec3<f32>, next_pushed: vec3<f32>, n: vec3<f32>) -> bool {

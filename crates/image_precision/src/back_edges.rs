@@ -126,8 +126,8 @@ impl BackEdges {
     }
 }
 
-/// Slots of the table: a power of two, at least four thirds of the edges of a surface all of whose faces are back. A soup that
-/// has more edges finds the table full in places, and has more lines drawn.
+/// Slots of the table: a power of two, at least four thirds of the edges of a surface all of whose faces are back. A soup of
+/// faces that share no edge has up to 3 F, more than the table holds; each that finds no place is drawn, as it should be.
 fn slots(faces: u32) -> u32 {
     faces.saturating_mul(2).clamp(SLOTS_PER_INVOCATION, 1 << 31).next_power_of_two()
 }

@@ -11,8 +11,8 @@
 //! Fattening in the polygon's plane, as the paper does, slides along the edge and makes spikes
 //! ([`fatten`](crate::fatten)); moving the edge in the image does not.
 //!
-//! Counting needs no preparation and no adjacency: it is O(F) on the adapter in every frame. Without it (a full table's
-//! neighbourhood) an edge is merely drawn behind front faces that hide it. Of an edge between four faces both back
+//! Counting needs no preparation and no adjacency: it is O(F) on the adapter in every frame. An edge that finds no place in
+//! the table within the longest probe is drawn, hidden or not. Of an edge between four faces both back
 //! ones cancel, so that objects that share an edge may lack it.
 
 use std::f64::consts::FRAC_PI_2;

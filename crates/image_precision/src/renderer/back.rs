@@ -120,24 +120,22 @@ impl Back {
     }
 
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, buffers: &MeshBuffers, mesh: Option<&MeshBinding>) {
-        if let Self::Faces(pipeline) = self {
-            pass.set_pipeline(pipeline);
-            buffers.draw(pass);
-            return;
-        }
-        let Some(mesh) = mesh else { return };
-        if let Self::Fat(fat) = self {
-            fat.draw(pass);
-            return;
-        }
-        pass.set_bind_group(1, mesh.bind_group(), &[]);
-        match self {
-            Self::Faces(_) | Self::Fat(_) => {}
-            Self::Edges { list, pipeline } => {
+        match (self, mesh) {
+            (Self::Faces(pipeline), _) => {
+                pass.set_pipeline(pipeline);
+                buffers.draw(pass);
+            }
+            (Self::Fat(fat), Some(_)) => fat.draw(pass),
+            (Self::Edges { list, pipeline }, Some(mesh)) => {
+                pass.set_bind_group(1, mesh.bind_group(), &[]);
                 pass.set_pipeline(pipeline);
                 list.draw(pass);
             }
-            Self::Later(layer) => layer.draw(pass),
+            (Self::Later(layer), Some(mesh)) => {
+                pass.set_bind_group(1, mesh.bind_group(), &[]);
+                layer.draw(pass);
+            }
+            (_, None) => {}
         }
     }
 }

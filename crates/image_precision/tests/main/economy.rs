@@ -1,10 +1,11 @@
-//! What is left out of the drawing of fattened polygons does not change their picture.
+//! What is left out of the drawing does not change the picture: fattened polygons that are hidden, edges between back faces.
 
 use crate::scene::{count, draw, draw_within, framed, ink, torus};
+use silhouette_core::Camera;
 use silhouette_core::glam::{Quat, Vec3};
 use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::by_name;
-use silhouette_core::view::ClipRange;
+use silhouette_core::view::{ClipRange, Projection};
 use silhouette_gpu::TargetFormats;
 use silhouette_render::{DEFAULT_FORMATS, Image, testing::gpu_or_skip};
 
@@ -66,4 +67,25 @@ fn convex_polygons_cover_with_fewer_triangles_what_the_fan_covers() {
             assert!(ink(&dashed) < ink(&solid) && count(&dashed, |value| value == 0) > 300);
         }
     }
+}
+
+/// A sheet from behind: all of its faces are back faces, whose edges fill three quarters of the table.
+#[test]
+fn a_large_sheet_from_behind_shows_its_border_alone() {
+    let Some(gpu) = gpu_or_skip("a_large_sheet_from_behind_shows_its_border_alone") else { return };
+    const SIDE: u32 = 256;
+    let place = |at: u32| at as f32 / SIDE as f32 * 2.0 - 1.0;
+    let bend = |x: f32, y: f32| 0.1 * (1.5 * x).sin() * y.cos();
+    let rows = (0..=SIDE).flat_map(|y| (0..=SIDE).map(move |x| (place(x), place(y))));
+    let positions: Vec<Vec3> = rows.map(|(x, y)| Vec3::new(x, y, bend(x, y))).collect();
+    let squares = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| y * (SIDE + 1) + x));
+    let triangles = squares.flat_map(|a| [[a, a + SIDE + 1, a + 1], [a + 1, a + SIDE + 1, a + SIDE + 2]]);
+    let mesh = TriangleMesh::new(positions, triangles.collect()).unwrap();
+    assert_eq!(mesh.face_count(), 1 << 17);
+    let projection = Projection::Perspective { fov_y_rad: 0.8 };
+    let camera = Camera::new(Vec3::new(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y, projection, [256, 256]).unwrap();
+    let image = draw(gpu, &mesh, &camera, &["variant=screen"], DEFAULT_FORMATS).image;
+    let is_inked = |x: usize, y: usize| image.rgba[4 * (256 * y + x)] < 128;
+    let within = (80..176).flat_map(|y| (80..176).map(move |x| (x, y))).filter(|&(x, y)| is_inked(x, y)).count();
+    assert!(within == 0 && ink(&image) > 400, "{within} pixels within, {} in all", ink(&image));
 }
