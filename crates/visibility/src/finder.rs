@@ -85,7 +85,7 @@ impl LineFinder {
     }
 
     /// The same for many views: also prepares a search tree over planes, after which the silhouette of a view is found in
-    /// time that grows with its length instead of with the mesh, and asks of every edge whether it meets a face. About three
+    /// time that grows with its length instead of with the mesh, and asks of every edge whether it meets a face. Three to four
     /// times the preparation.
     ///
     /// # Errors
