@@ -42,13 +42,8 @@ pub(super) enum LostError {
     View(#[from] silhouette_core::view::ViewError),
 }
 
-/// Draws the numbers of a mesh's faces at four sizes, and its lines at three.
-pub(super) fn measure(
-    gpu: &Gpu,
-    mesh: &Arc<PreparedMesh>,
-    camera: &Camera,
-    progress: &dyn Progress,
-) -> Result<Vec<Lost>, LostError> {
+/// Of the front faces that a picture of [`FINE_PX`] shows, the shares that pictures of [`SIZES_PX`] do not.
+pub(super) fn shares(gpu: &Gpu, mesh: &PreparedMesh, camera: &Camera) -> Result<[f64; 3], LostError> {
     let buffers = MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh()).map_err(DrawError::from)?;
     let facings = FaceFacings::new(mesh.mesh(), &camera.viewpoint());
     // Which front faces a picture shows.
@@ -67,13 +62,27 @@ pub(super) fn measure(
         Ok(shown)
     };
     let fine = seen(FINE_PX)?;
+    let visible = fine.iter().filter(|&&shown| shown).count();
+    let mut shares = [0.0; 3];
+    for (share, size_px) in shares.iter_mut().zip(SIZES_PX) {
+        let coarse = seen(size_px)?;
+        let lost = fine.iter().zip(&coarse).filter(|&(&fine, &coarse)| fine && !coarse).count();
+        *share = lost as f64 / visible.max(1) as f64;
+    }
+    Ok(shares)
+}
+
+/// Draws the numbers of a mesh's faces at four sizes, and its lines at three.
+pub(super) fn measure(
+    gpu: &Gpu,
+    mesh: &Arc<PreparedMesh>,
+    camera: &Camera,
+    progress: &dyn Progress,
+) -> Result<Vec<Lost>, LostError> {
+    let shares = shares(gpu, mesh, camera)?;
     let entry = registry::find("image-precision")?;
     let mut all = Vec::new();
-    for size_px in SIZES_PX {
-        let coarse = seen(size_px)?;
-        let visible = fine.iter().filter(|&&shown| shown).count();
-        let lost = fine.iter().zip(&coarse).filter(|&(&fine, &coarse)| fine && !coarse).count();
-        let share = lost as f64 / visible.max(1) as f64;
+    for (size_px, share) in SIZES_PX.into_iter().zip(shares) {
         let camera = camera.with_size([size_px; 2])?;
         let mut extra_px = [0; 2];
         for ((extra, unoriented), oriented) in extra_px.iter_mut().zip(&UNORIENTED).zip(&UNORIENTED_LIKE) {

@@ -5,7 +5,7 @@ use super::measure::{MeshResult, Reproduction, VariantResult};
 use super::paper::{PaperRow, ROWS};
 use super::predicted;
 use super::soup::SoupResult;
-use super::variants::{UNORIENTED, VARIANTS};
+use super::variants::{AS_PRINTED, UNORIENTED, VARIANTS};
 use crate::reproduce::Figure;
 
 /// The section of the paper that holds its frame rates.
@@ -125,9 +125,18 @@ fn lost_faces(mesh: &MeshResult, at: usize, lost: &Lost) -> Vec<Figure> {
     for (variant, extra) in UNORIENTED.iter().zip(lost.extra_px) {
         figures.push(of(&format!("extra ink, {}", variant.label), "px", extra as f64, "beside the oriented variant's"));
     }
-    if let Some((_, shares)) = predicted::LOST.into_iter().find(|(part, _)| mesh.name.contains(part)) {
-        let note = "measured by an earlier experiment in another view";
-        figures.push(of("faces whose number is not read back, predicted", "%", shares[at], note));
+    let mut add = |suffix: &str, share: f64, note: &str| {
+        figures.push(of(&format!("faces whose number is not read back, {suffix}"), "%", share, note));
+    };
+    if let Some(shares) = predicted::lost(&mesh.name) {
+        add("predicted", shares[at], "measured by an earlier experiment in a view that is not known");
+    }
+    if let Some(views) = mesh.views.and_then(|views| views.lost) {
+        let degrees = predicted::LOST_FOV_Y_RAD.to_degrees();
+        let note = format!("{} views spread evenly, {degrees:.0} degrees", super::views::VIEWS);
+        add("mean of views", 100.0 * views.mean[at], &note);
+        add("least of views", 100.0 * views.least[at], &note);
+        add("most of views", 100.0 * views.most[at], &note);
     }
     figures
 }
@@ -162,14 +171,14 @@ fn sphere(mesh: &MeshResult, level: u32) -> Vec<Figure> {
         .into();
     if let Some((_, mean, farthest)) = predicted::FATTENED.into_iter().find(|row| row.0 == level) {
         let earlier = "measured by an earlier experiment in a view of its own";
-        figures.push(of(predicted::FATTENED_BY, "ink over length, predicted", mean, earlier));
-        figures.push(of(predicted::FATTENED_BY, "farthest ink, predicted", farthest, earlier));
+        figures.push(of(AS_PRINTED.label, "ink over length, predicted", mean, earlier));
+        figures.push(of(AS_PRINTED.label, "farthest ink, predicted", farthest, earlier));
     }
     if let Some(views) = mesh.views {
         let note = format!("{} views spread evenly", super::views::VIEWS);
-        figures.push(of(predicted::FATTENED_BY, "ink over length, mean of views", views.mean_width_px, &note));
-        figures.push(of(predicted::FATTENED_BY, "farthest ink, least of views", views.farthest_px[0], &note));
-        figures.push(of(predicted::FATTENED_BY, "farthest ink, most of views", views.farthest_px[1], &note));
+        figures.push(of(AS_PRINTED.label, "ink over length, mean of views", views.mean_width_px, &note));
+        figures.push(of(AS_PRINTED.label, "farthest ink, least of views", views.farthest_px[0], &note));
+        figures.push(of(AS_PRINTED.label, "farthest ink, most of views", views.farthest_px[1], &note));
     }
     figures
 }

@@ -48,7 +48,8 @@ pub struct FrameTimes {
 }
 
 /// Times every drawing in turn, `rounds` times over, so that a change of the machine's speed meets all alike; the first
-/// round warms up and is left out. Medians over the others.
+/// round warms up and is left out. Medians over the others. Each is drawn twice in a round and timed the second time: an
+/// application's frame follows one of the same drawing, which has left its buffers in the caches.
 ///
 /// # Errors
 /// [`DrawError`]; a cancelled run is [`DrawError::Prepare`].
@@ -65,9 +66,11 @@ pub fn time(
         progress.check().map_err(|cancelled| DrawError::Prepare(cancelled.into()))?;
         let mut times = Vec::with_capacity(samples.len());
         for plain in plain {
+            plain.frame_ms(gpu, camera)?;
             times.push(plain.frame_ms(gpu, camera)?);
         }
         for drawing in drawings.iter_mut() {
+            drawing.draw(gpu, camera)?;
             times.push(drawing.draw(gpu, camera)?.frame_ms);
         }
         if round > 0 {

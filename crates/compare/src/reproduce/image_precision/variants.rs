@@ -63,6 +63,9 @@ pub const UNORIENTED: [Variant; 2] = [
     ),
 ];
 
+/// The paper's law without a bound.
+pub const AS_PRINTED: Variant = VARIANTS[13];
+
 /// The oriented variants that [`UNORIENTED`] do the same as, one after another, where every face has a number that is seen.
 pub const UNORIENTED_LIKE: [Variant; 2] = [VARIANTS[4], VARIANTS[0]];
 
@@ -78,5 +81,6 @@ mod tests {
         assert_eq!(labels.len(), VARIANTS.len() + UNORIENTED.len());
         assert!(all.into_iter().all(|variant| variant.options().is_ok()));
         assert_eq!(UNORIENTED_LIKE.map(|variant| variant.label), ["scale 0.99", "screen"]);
+        assert_eq!(AS_PRINTED.label, "fatten, as printed");
     }
 }
