@@ -79,25 +79,25 @@ fn count(corner: u32, front: u32) {
 }
 
 // One invocation for each edge of a listed face: y tells which of the three.
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn add_edges(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    for (var at = id.x; at < faces[0]; at += groups.x * 64u) {
+    for (var at = id.x; at < faces[0]; at += row(groups)) {
         let face = faces[at + 1u];
         count(3u * (face & ~FRONT) + id.y, face & FRONT);
     }
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn list_every_edge(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    for (var at = id.x; at < faces[0]; at += groups.x * 64u) {
+    for (var at = id.x; at < faces[0]; at += row(groups)) {
         let face = faces[at + 1u];
         list(3u * (face & ~FRONT) + id.y + (face & FRONT));
     }
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn list_unshared(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let four = id.x + id.y * groups.x * 64u;
+    let four = element(id, groups);
     if four > style.slot_mask / 4u {
         return;
     }

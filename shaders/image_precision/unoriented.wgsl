@@ -20,9 +20,9 @@ fn mark_seen(@builtin(global_invocation_id) id: vec3<u32>) {
     }
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn list_later_faces(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let face = id.x + id.y * groups.x * 64u;
+    let face = element(id, groups);
     if face < style.faces && first_layer[face] == 0u {
         listed[atomicAdd(&arguments[0], 3u) / 3u] = face;
     }

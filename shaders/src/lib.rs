@@ -54,13 +54,14 @@ pub mod image_precision {
         "../shared/mesh.wgsl",
         "../shared/image_precision/facing.wgsl",
         "../shared/image_precision/front_mark.wgsl",
-        "../shared/image_precision/listing.wgsl",
+        "../shared/image_precision/invocation.wgsl",
         "../image_precision/face_list.wgsl"
     );
     /// Lists edges of the faces in that list.
     pub const BACK_EDGES: &str = stage!(
         "../shared/mesh.wgsl",
         "../shared/image_precision/front_mark.wgsl",
+        "../shared/image_precision/invocation.wgsl",
         "../image_precision/back_edges.wgsl"
     );
     /// Lines expanded in the image plane.
@@ -70,51 +71,48 @@ pub mod image_precision {
         "../shared/image_precision/ink.wgsl",
         "../image_precision/screen.wgsl"
     );
-    /// Farthest depths of front faces.
-    pub const FRONT_TILES: &str = stage!(
-        "../shared/image_precision/tiles.wgsl",
-        "../shared/image_precision/depth_single.wgsl",
-        "../image_precision/front_tiles.wgsl"
-    );
-    /// The same for targets with several samples a pixel.
-    pub const FRONT_TILES_MULTISAMPLED: &str = stage!(
-        "../shared/image_precision/tiles.wgsl",
-        "../shared/image_precision/depth_multiple.wgsl",
-        "../image_precision/front_tiles.wgsl"
-    );
-    /// Lists polygons to be fattened.
-    pub const POLYGON_LIST: &str = stage!(
-        "../shared/mesh.wgsl",
-        "../shared/image_precision/polygon.wgsl",
-        "../shared/image_precision/listing.wgsl",
-        "../image_precision/polygon_list.wgsl"
-    );
-    /// Fattens the polygons in that list.
-    pub const POLYGONS: &str = stage!(
+    /// Fattened triangles as triangles whose corners are cut off.
+    pub const CUT_TRIANGLES: &str = stage!(
         "../shared/mesh.wgsl",
         "../shared/image_precision/polygon.wgsl",
         "../shared/image_precision/push.wgsl",
-        "../shared/image_precision/tiles.wgsl",
-        "../shared/image_precision/hidden.wgsl",
-        "../image_precision/polygons.wgsl"
+        "../shared/image_precision/fattened.wgsl",
+        "../shared/image_precision/invocation.wgsl",
+        "../shared/image_precision/cut_triangle.wgsl",
+        "../image_precision/cut_triangles.wgsl"
     );
-    /// Fattened polygons.
+    /// Other fattened polygons.
+    pub const FANS: &str = stage!(
+        "../shared/mesh.wgsl",
+        "../shared/image_precision/polygon.wgsl",
+        "../shared/image_precision/push.wgsl",
+        "../shared/image_precision/fattened.wgsl",
+        "../shared/image_precision/invocation.wgsl",
+        "../image_precision/fans.wgsl"
+    );
+    /// Draws fattened polygons.
     pub const FATTEN: &str = stage!("../shared/image_precision/ink.wgsl", "../image_precision/fatten.wgsl");
     /// Every face as its number.
     pub const FIRST_LAYER: &str = stage!("../shared/mesh.wgsl", "../image_precision/first_layer.wgsl");
     /// Marks the faces that are seen and lists the others.
-    pub const UNORIENTED: &str =
-        stage!("../shared/image_precision/seen_single.wgsl", "../image_precision/unoriented.wgsl");
+    pub const UNORIENTED: &str = stage!(
+        "../shared/image_precision/invocation.wgsl",
+        "../shared/image_precision/seen_single.wgsl",
+        "../image_precision/unoriented.wgsl"
+    );
     /// The same for targets with several samples a pixel.
-    pub const UNORIENTED_MULTISAMPLED: &str =
-        stage!("../shared/image_precision/seen_multiple.wgsl", "../image_precision/unoriented.wgsl");
+    pub const UNORIENTED_MULTISAMPLED: &str = stage!(
+        "../shared/image_precision/invocation.wgsl",
+        "../shared/image_precision/seen_multiple.wgsl",
+        "../image_precision/unoriented.wgsl"
+    );
     /// Faces behind the first layer.
     pub const LATER_FACES: &str =
         stage!("../shared/mesh.wgsl", "../shared/image_precision/ink.wgsl", "../image_precision/later_faces.wgsl");
 }
 
 /// Every stage with its path below the crate's folder.
-pub const ALL: [(&str, &str); 20] = [
+pub const ALL: [(&str, &str); 18] = [
     ("render/fill.wgsl", render::FILL),
     ("render/face_ids.wgsl", render::FACE_IDS),
     ("render/line_segments.wgsl", render::LINE_SEGMENTS),
@@ -126,10 +124,8 @@ pub const ALL: [(&str, &str); 20] = [
     ("image_precision/face_list.wgsl", image_precision::FACE_LIST),
     ("image_precision/back_edges.wgsl", image_precision::BACK_EDGES),
     ("image_precision/screen.wgsl", image_precision::SCREEN),
-    ("image_precision/front_tiles.wgsl", image_precision::FRONT_TILES),
-    ("image_precision/front_tiles.wgsl", image_precision::FRONT_TILES_MULTISAMPLED),
-    ("image_precision/polygon_list.wgsl", image_precision::POLYGON_LIST),
-    ("image_precision/polygons.wgsl", image_precision::POLYGONS),
+    ("image_precision/cut_triangles.wgsl", image_precision::CUT_TRIANGLES),
+    ("image_precision/fans.wgsl", image_precision::FANS),
     ("image_precision/fatten.wgsl", image_precision::FATTEN),
     ("image_precision/first_layer.wgsl", image_precision::FIRST_LAYER),
     ("image_precision/unoriented.wgsl", image_precision::UNORIENTED),

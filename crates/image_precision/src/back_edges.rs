@@ -4,7 +4,7 @@
 use crate::face_list::FaceList;
 use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
-use silhouette_shaders::image_precision::{BACK_EDGES, FACE_LIST};
+use silhouette_shaders::image_precision::BACK_EDGES;
 
 /// Which faces' edges are listed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,10 +41,10 @@ pub(crate) fn drawing_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     })
 }
 
-/// Arguments of an indirect draw, indexed or not, whose vertices stages count: one instance of none so far.
+/// Arguments of an indirect draw whose vertices stages count: one instance of none so far.
 pub(crate) fn draw_arguments(device: &wgpu::Device, queue: &wgpu::Queue) -> Result<wgpu::Buffer, MeshTooLarge> {
-    let arguments = storage_buffer(device, "arguments of the draw", 20, wgpu::BufferUsages::INDIRECT)?;
-    queue.write_buffer(&arguments, 0, bytemuck::bytes_of(&[0_u32, 1, 0, 0, 0]));
+    let arguments = storage_buffer(device, "arguments of the draw", 16, wgpu::BufferUsages::INDIRECT)?;
+    queue.write_buffer(&arguments, 0, bytemuck::bytes_of(&[0_u32, 1, 0, 0]));
     Ok(arguments)
 }
 
@@ -67,8 +67,7 @@ impl BackEdges {
             entries: &[0, 1, 2, 3].map(|binding| storage_entry(binding, binding == 0)),
         });
         let nothing = storage_buffer(device, "no first layer", 4, none)?;
-        let listing =
-            (FACE_LIST, if listed == Listed::UnsharedLater { "list_later_layers" } else { "list_back_faces" });
+        let listing = if listed == Listed::UnsharedLater { "list_later_layers" } else { "list_back_faces" };
         let faces = FaceList::new(device, faces, listing, first_layer.unwrap_or(&nothing))?;
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
         let layouts = [Some(&camera), Some(&mesh), Some(&filling_layout)];

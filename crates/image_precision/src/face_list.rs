@@ -1,15 +1,16 @@
-//! Lists the faces or polygons that later stages work on. Stages: `shaders/shared/image_precision/listing.wgsl`.
+//! Lists the faces that later stages work on. Stages: `shaders/image_precision/face_list.wgsl`.
 //!
 //! Half of the faces of a closed mesh are back faces. Invocations run in lockstep, so that a stage over all of them takes
 //! twice as long as one over a list of those that matter.
 
 use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
+use silhouette_shaders::image_precision::FACE_LIST;
 
 /// A list that is made anew for each view, without the CPU.
 #[derive(Debug)]
 pub(crate) struct FaceList {
-    /// Faces or polygons that there are.
+    /// Faces that there are.
     count: u32,
     /// How many are listed, then which.
     entries: wgpu::Buffer,
@@ -18,11 +19,11 @@ pub(crate) struct FaceList {
 }
 
 impl FaceList {
-    /// `stage` is a text and the stage in it that lists; `input` is bound for it to read.
+    /// `stage` lists; `input` is bound for it to read.
     pub fn new(
         device: &wgpu::Device,
         count: u32,
-        stage: (&'static str, &'static str),
+        stage: &'static str,
         input: &wgpu::Buffer,
     ) -> Result<Self, MeshTooLarge> {
         let bytes = 4 + 4 * u64::from(count);
@@ -35,12 +36,12 @@ impl FaceList {
         Ok(Self {
             count,
             filling: buffers_group(device, "listing of faces", &layout, &[&entries, input]),
-            list: compute(device, stage.0, stage.1, &[Some(&camera), Some(&mesh), Some(&layout)]),
+            list: compute(device, FACE_LIST, stage, &[Some(&camera), Some(&mesh), Some(&layout)]),
             entries,
         })
     }
 
-    /// Number of faces or polygons, listed or not.
+    /// Number of faces, listed or not.
     pub fn count(&self) -> u32 {
         self.count
     }

@@ -4,14 +4,15 @@
 //! between two pushed edges. No adjacency is asked for. The fan may fold over for skewed polygons, so facing is decided
 //! once, from the polygon, and the fan is drawn without culling.
 //!
-//! 1. `polygon_list.wgsl` classifies every polygon once and lists those that are fattened.
-//! 2. `polygons.wgsl` pushes their edges. A fattened polygon that is convex has 2 n - 2 triangles about its first corner, which
-//!    cover the same in the same plane as the paper's 2 n; `fatten-law=as-printed` keeps those, and so do textures, which run
-//!    along edges. What lies behind front faces wherever it could be seen is left out: `front_tiles.wgsl` finds, from a depth
-//!    picture of them, the farthest depth of each square of 8 pixels.
-//! 3. `fatten.wgsl` draws the triangles.
+//! 1. `cut_triangles.wgsl` classifies every polygon once. A fattened triangle is a hexagon of pushed edges and the bevels between
+//!    them. If it is convex, as nearly all are, every other side made longer bounds a triangle around it; that is drawn with the
+//!    three corners outside of the hexagon cut off, pixel by pixel.
+//! 2. `fans.wgsl` makes fans of all other polygons. One that is convex has 2 n - 2 triangles about its first corner, which
+//!    cover the same in the same plane as the paper's 2 n.
+//! 3. `fatten.wgsl` draws both.
 //!
-//! Both leave the picture as it is, but for single pixels where depths agree to the last bits.
+//! The picture stays that of the paper's fans, but for single pixels along edges. `fatten-law=as-printed` draws the fans
+//! themselves, and so do textures, which run along edges.
 //!
 //! [`push`] is the law, as the stages compute it. The printed one, `K z sin(a) / (V.N)`, is exact only for edges whose
 //! strip lies parallel to the image plane; see [`FattenLaw`].

@@ -1,30 +1,46 @@
-//! Lists and draws polygons that are fattened. Stages: `shaders/image_precision/polygon_list.wgsl`, `polygons.wgsl`,
-//! `fatten.wgsl`.
+//! Fattens polygons and draws them. Stages: `shaders/image_precision/cut_triangles.wgsl`, `fans.wgsl`, `fatten.wgsl`.
 
-use crate::back_edges::draw_arguments;
-use crate::face_list::FaceList;
-use crate::front_depth::{self, FrontDepth};
+use crate::fatten::FattenLaw;
 use crate::polygons::Polygons;
 use crate::settings::{Settings, Texture, Variant};
-use crate::stage::{Stage, buffers_group, compute, ink_fragment, storage_buffer, storage_entry};
-use silhouette_gpu::{CameraBinding, MeshBinding, MeshBuffers, MeshTooLarge, TargetFormats};
-use silhouette_shaders::image_precision::{FATTEN, POLYGON_LIST, POLYGONS};
+use crate::stage::{Stage, buffers_group, compute, groups, ink_fragment, storage_buffer, storage_entry};
+use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge, TargetFormats};
+use silhouette_shaders::image_precision::{CUT_TRIANGLES, FANS, FATTEN};
 
-/// A vertex in clip space, and what it tells of its edge or polygon.
-const VERTEX_LAYOUTS: &[Option<wgpu::VertexBufferLayout<'static>>] = &[
+/// Vertices of fans: in clip space, and what each tells of its edge or polygon.
+const FAN_LAYOUTS: &[Option<wgpu::VertexBufferLayout<'static>>] = &[
     Some(wgpu::VertexBufferLayout {
         array_stride: 16,
         step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &[wgpu::VertexAttribute { format: wgpu::VertexFormat::Float32x4, offset: 0, shader_location: 0 }],
+        attributes: &wgpu::vertex_attr_array![0 => Float32x4],
     }),
     Some(wgpu::VertexBufferLayout {
         array_stride: 4,
         step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &[wgpu::VertexAttribute { format: wgpu::VertexFormat::Uint32, offset: 0, shader_location: 1 }],
+        attributes: &wgpu::vertex_attr_array![1 => Uint32],
     }),
 ];
 
-/// What vertices tell. The values are those of `polygons.wgsl`.
+/// Vertices of cut triangles: in clip space, then how far inside each cut and what the polygon tells.
+const CUT_LAYOUT: &[Option<wgpu::VertexBufferLayout<'static>>] = &[Some(wgpu::VertexBufferLayout {
+    array_stride: 32,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x4],
+})];
+
+/// Two draws of nothing, one indexed and one not, no places taken and nothing left: what the stages begin with.
+const NOTHING_DRAWN: [u32; 11] = [0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0];
+
+/// Where the arguments of the draw of cut triangles begin.
+const CUT_ARGUMENTS: u64 = 20;
+
+/// Cut triangles are at most this many times as large as what they show: 98 % of the machine room's.
+const MOST_AROUND: f32 = 3.0;
+
+/// As many times the stage for fans goes round if it has to for all polygons.
+const REST_ROUNDS: u32 = 8;
+
+/// What vertices tell. The values are those of `style.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Noted {
     Nothing = 0,
@@ -47,17 +63,35 @@ impl Noted {
 /// Fattened polygons, listed anew for each view.
 #[derive(Debug)]
 pub(crate) struct FatPolygons {
-    front: FrontDepth,
-    listed: FaceList,
+    count: u32,
     corners: Option<wgpu::Buffer>,
     noted: Noted,
+    nothing_drawn: wgpu::Buffer,
+    arguments: wgpu::Buffer,
     places: wgpu::Buffer,
     notes: wgpu::Buffer,
     indices: wgpu::Buffer,
-    arguments: wgpu::Buffer,
     filling: wgpu::BindGroup,
-    fatten: wgpu::ComputePipeline,
-    fat: wgpu::RenderPipeline,
+    cut_triangles: wgpu::ComputePipeline,
+    fan_rest: wgpu::ComputePipeline,
+    fans: wgpu::RenderPipeline,
+    /// None where every edge keeps its own triangles.
+    cut: Option<wgpu::RenderPipeline>,
+}
+
+/// The stage that cuts a triangle's corners off; none where textures or the printed law ask for fans, or where samples lie at
+/// places that are not told.
+fn cut_fragment(settings: &Settings, noted: Noted, samples: u32) -> Option<&'static str> {
+    let law = match settings.variant {
+        Variant::Fatten { law } | Variant::Charcoal { law, .. } => law,
+        _ => return None,
+    };
+    match samples {
+        _ if noted == Noted::Level || law == FattenLaw::AsPrinted => None,
+        1 => Some("cut_fragment"),
+        4 => Some("cut_fragment_4"),
+        _ => None,
+    }
 }
 
 impl FatPolygons {
@@ -70,14 +104,14 @@ impl FatPolygons {
         settings: &Settings,
         formats: TargetFormats,
     ) -> Result<Self, MeshTooLarge> {
-        let upload = |label, words: &[u32]| {
-            let bytes = size_of_val(words) as u64;
-            let buffer = storage_buffer(device, label, bytes, wgpu::BufferUsages::empty())?;
+        let upload = |label, words: &[u32], usage| {
+            let buffer = storage_buffer(device, label, size_of_val(words) as u64, usage)?;
             queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
             Ok::<_, MeshTooLarge>(buffer)
         };
-        let corners = polygons.map(|polygons| upload("corners of polygons", &polygons.corners)).transpose()?;
-        let starts = upload("starts of polygons", polygons.map_or(&[0], |polygons| &polygons.starts))?;
+        let none = wgpu::BufferUsages::empty();
+        let corners = polygons.map(|polygons| upload("corners of polygons", &polygons.corners, none)).transpose()?;
+        let starts = upload("starts of polygons", polygons.map_or(&[0], |polygons| &polygons.starts), none)?;
         let count = polygons.map_or(faces, |polygons| polygons.count() as u32);
         let corner_count = polygons.map_or(3 * u64::from(faces), |polygons| polygons.corners.len() as u64);
         let noted = Noted::of(settings);
@@ -88,44 +122,53 @@ impl FatPolygons {
         let notes = storage_buffer(device, "notes of fattened polygons", note_bytes, vertex_usage)?;
         let index_bytes = 24 * corner_count;
         let indices = storage_buffer(device, "triangles of fattened polygons", index_bytes, wgpu::BufferUsages::INDEX)?;
-        let arguments = draw_arguments(device, queue)?;
+        let rest = storage_buffer(device, "polygons that become fans", 4 * u64::from(count), none)?;
+        let nothing_drawn = upload("nothing drawn", &NOTHING_DRAWN, wgpu::BufferUsages::COPY_SRC)?;
+        let arguments = upload("arguments of the draws", &NOTHING_DRAWN, wgpu::BufferUsages::INDIRECT)?;
 
-        let layout = |entries: &[_]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("polygons"), entries })
-        };
-        let filling = layout(&[0, 1, 2, 3, 4, 5].map(|binding| storage_entry(binding, binding == 0 || binding == 2)));
-        let listed = FaceList::new(device, count, (POLYGON_LIST, "list_polygons"), &starts)?;
-        let filled = [listed.entries(), &arguments, &starts, &places, &notes, &indices];
-        let filling_group = buffers_group(device, "polygons", &filling, &filled);
+        let filling_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("polygons"),
+            entries: &[0, 1, 2, 3, 4, 5].map(|binding| storage_entry(binding, binding == 1)),
+        });
+        let filled = [&arguments, &starts, &places, &notes, &indices, &rest];
+        let filling = buffers_group(device, "polygons", &filling_layout, &filled);
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
-        let squares = front_depth::reading_layout(device);
-        let layouts = [Some(&camera), Some(&mesh), Some(&filling), Some(&squares)];
-        let fat = Stage {
-            label: "image precision: fattened polygons",
-            wgsl: FATTEN,
-            vertex: if noted == Noted::Nothing { "fat_vertex" } else { "noted_vertex" },
-            fragment: Some(match noted {
-                Noted::Nothing => ink_fragment(settings),
-                Noted::Level => "textured_fragment",
-                Noted::Facing => "charcoal_fragment",
-            }),
-            buffers: if noted == Noted::Nothing { &VERTEX_LAYOUTS[..1] } else { VERTEX_LAYOUTS },
-            culled: None,
-            polygon_mode: wgpu::PolygonMode::Fill,
-            depth: formats.depth_state(formats.nearer_or_equal()),
+        let layouts = [Some(&camera), Some(&mesh), Some(&filling_layout)];
+        let draws = |label, vertex, buffers, fragment| {
+            let stage = Stage {
+                label,
+                wgsl: FATTEN,
+                vertex,
+                fragment: Some(fragment),
+                buffers,
+                culled: None,
+                polygon_mode: wgpu::PolygonMode::Fill,
+                depth: formats.depth_state(formats.nearer_or_equal()),
+            };
+            stage.build(device, &[Some(&camera)], formats.color, formats.samples)
         };
+        let fan_fragment = match noted {
+            Noted::Nothing => ink_fragment(settings),
+            Noted::Level => "textured_fragment",
+            Noted::Facing => "charcoal_fragment",
+        };
+        let (fan_vertex, fan_layouts) =
+            if noted == Noted::Nothing { ("fat_vertex", &FAN_LAYOUTS[..1]) } else { ("noted_vertex", FAN_LAYOUTS) };
+        let cut = cut_fragment(settings, noted, formats.samples);
         Ok(Self {
+            cut_triangles: compute(device, CUT_TRIANGLES, "cut_triangles", &layouts),
+            fan_rest: compute(device, FANS, "fan_rest", &layouts),
+            fans: draws("image precision: fattened polygons", fan_vertex, fan_layouts, fan_fragment),
+            cut: cut.map(|fragment| draws("image precision: cut triangles", "cut_vertex", CUT_LAYOUT, fragment)),
+            count,
             corners,
-            filling: filling_group,
-            fatten: compute(device, POLYGONS, "fatten_polygons", &layouts),
-            fat: fat.build(device, &[Some(&camera)], formats.color, formats.samples),
-            front: FrontDepth::new(device, formats),
-            listed,
             noted,
+            nothing_drawn,
+            arguments,
             places,
             notes,
             indices,
-            arguments,
+            filling,
         })
     }
 
@@ -136,7 +179,7 @@ impl FatPolygons {
 
     /// Number of polygons.
     pub fn count(&self) -> u32 {
-        self.listed.count()
+        self.count
     }
 
     /// What the stages expect as `polygon_corners`.
@@ -149,40 +192,38 @@ impl FatPolygons {
         self.noted as u32
     }
 
-    /// Makes room for a viewport of this size.
-    pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
-        self.front.resize(device, size);
+    /// What the stages expect as `most_around`.
+    pub fn most_around(&self) -> f32 {
+        if self.cut.is_some() { MOST_AROUND } else { 0.0 }
     }
 
     /// Makes the list for the view whose uniforms are bound.
-    pub fn encode(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        camera: &CameraBinding,
-        buffers: &MeshBuffers,
-        mesh: &MeshBinding,
-    ) {
-        let Some(squares) = self.front.encode(encoder, camera, buffers) else { return };
-        encoder.clear_buffer(&self.arguments, 0, Some(4));
-        self.listed.clear(encoder);
+    pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
+        encoder.copy_buffer_to_buffer(&self.nothing_drawn, 0, &self.arguments, 0, size_of_val(&NOTHING_DRAWN) as u64);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_bind_group(0, camera.bind_group(), &[]);
         pass.set_bind_group(1, mesh.bind_group(), &[]);
-        self.listed.encode(&mut pass);
         pass.set_bind_group(2, &self.filling, &[]);
-        pass.set_bind_group(3, squares, &[]);
-        pass.set_pipeline(&self.fatten);
-        self.listed.dispatch(&mut pass, 1);
+        pass.set_pipeline(&self.cut_triangles);
+        let [x, y] = groups(self.count);
+        pass.dispatch_workgroups(x, y, 1);
+        pass.set_pipeline(&self.fan_rest);
+        let [x, _] = groups(self.count.div_ceil(REST_ROUNDS));
+        pass.dispatch_workgroups(x, 1, 1);
     }
 
     /// Draws the list.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_pipeline(&self.fat);
+        pass.set_pipeline(&self.fans);
         pass.set_vertex_buffer(0, self.places.slice(..));
         if self.noted != Noted::Nothing {
             pass.set_vertex_buffer(1, self.notes.slice(..));
         }
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed_indirect(&self.arguments, 0);
+        if let Some(cut) = &self.cut {
+            pass.set_pipeline(cut);
+            pass.draw_indirect(&self.arguments, CUT_ARGUMENTS);
+        }
     }
 }

@@ -196,9 +196,11 @@ impl FirstLayer {
         pass.set_pipeline(&self.mark);
         let [x, y] = target.size.map(|side| side.div_ceil(MARKED_SQUARE));
         pass.dispatch_workgroups(x, y, 1);
-        pass.set_pipeline(&self.list);
-        let [x, y] = groups(self.faces);
-        pass.dispatch_workgroups(x, y, 1);
+        if matches!(self.later, Later::Faces(_)) {
+            pass.set_pipeline(&self.list);
+            let [x, y] = groups(self.faces);
+            pass.dispatch_workgroups(x, y, 1);
+        }
         drop(pass);
 
         if let Later::Edges { list, .. } = &self.later {

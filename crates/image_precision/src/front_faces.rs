@@ -30,22 +30,3 @@ pub(crate) fn pipeline(
     }
     .build(device, layouts, formats.color, formats.samples)
 }
-
-/// Depth of the front faces alone, the same as [`pipeline`]'s.
-pub(crate) fn depth_pipeline(
-    device: &wgpu::Device,
-    layouts: &[Option<&wgpu::BindGroupLayout>],
-    formats: TargetFormats,
-) -> wgpu::RenderPipeline {
-    Stage {
-        label: "image precision: depth of front faces",
-        wgsl: silhouette_shaders::image_precision::FRONT_FACES,
-        vertex: "paper_vertex",
-        fragment: None,
-        buffers: POSITIONS,
-        culled: Some(wgpu::Face::Back),
-        polygon_mode: wgpu::PolygonMode::Fill,
-        depth: formats.depth_state(formats.nearer()),
-    }
-    .build(device, layouts, formats.color, formats.samples)
-}

@@ -68,8 +68,6 @@ pub mod feature_edges;
 mod first_layer;
 pub mod fixed_pull;
 #[cfg(feature = "gpu")]
-mod front_depth;
-#[cfg(feature = "gpu")]
 mod front_faces;
 mod line_width;
 mod method;

@@ -38,7 +38,7 @@ pub(crate) struct StyleUniform {
     pub lift: f32,
     pub fan: u32,
     pub noted: u32,
-    pub reversed: u32,
+    pub most_around: f32,
     pub _pad: [u32; 2],
     pub rim: [[f32; 4]; 17],
 }
@@ -152,7 +152,7 @@ pub(crate) fn of_view(
         lift: 0.0,
         fan: rounding.fan,
         noted: 0,
-        reversed: 0,
+        most_around: 0.0,
         _pad: [0; 2],
         rim: rounding.rim(),
     }
@@ -189,7 +189,7 @@ mod tests {
             lift,
             fan,
             noted,
-            reversed,
+            most_around,
             rim
         );
         let stage = silhouette_shaders::image_precision::SCREEN;

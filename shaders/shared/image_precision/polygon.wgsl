@@ -4,8 +4,12 @@ struct Polygon {
     first: u32,
     size: u32,
     middle: vec3<f32>,
-    // Twice its area long (Newell's).
+    // Unit, or zero where the polygon has no area.
     normal: vec3<f32>,
+}
+
+fn unit_or_zero(v: vec3<f32>) -> vec3<f32> {
+    return v / max(length(v), 1e-30);
 }
 
 // First corner of a polygon, and of the one after it. Triangles lie one after another; others have their starts in a table.
@@ -19,6 +23,7 @@ fn corner_range(index: u32) -> vec2<u32> {
 fn polygon(range: vec2<u32>) -> Polygon {
     let size = range.y - range.x;
     var sum = vec3<f32>(0.0);
+    // Newell's: twice the area long.
     var normal = vec3<f32>(0.0);
     let origin = corner_position(range.x);
     var last = corner_position(range.y - 1u) - origin;
@@ -28,11 +33,15 @@ fn polygon(range: vec2<u32>) -> Polygon {
         normal += cross(last, p);
         last = p;
     }
-    return Polygon(range.x, size, origin + sum / f32(size), normal);
+    return Polygon(range.x, size, origin + sum / f32(size), unit_or_zero(normal));
+}
+
+// The same for a triangle whose corners are at hand.
+fn triangle(first: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Polygon {
+    return Polygon(first, 3u, a + (b - a + c - a) / 3.0, unit_or_zero(cross(b - a, c - a)));
 }
 
 // V.N at its middle, towards the viewer.
 fn polygon_facing(p: Polygon) -> f32 {
-    let view = towards_viewer(p.middle);
-    return dot(p.normal, view) / max(length(p.normal) * length(view), 1e-30);
+    return dot(p.normal, unit_or_zero(towards_viewer(p.middle)));
 }

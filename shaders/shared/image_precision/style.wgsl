@@ -21,7 +21,7 @@ struct StyleUniform {
     fade: vec3<f32>,
     // Nearest w that a line is drawn at.
     near_w: f32,
-    // Fattening: 0 exact, 1 as printed, 2 as printed without the sine.
+    // Fattening: 0 exact, or one of the laws below.
     law: u32,
     // 0 solid, 1 dashes, 2 stipple.
     texture: u32,
@@ -37,16 +37,23 @@ struct StyleUniform {
     lift: f32,
     // Sides of a line's polygon around either end.
     fan: u32,
-    // What each vertex of a fattened polygon tells: 0 nothing, 1 whether its edge is level, 2 its polygon's V.N.
+    // What each vertex of a fattened polygon tells: 0 nothing, or one of those below.
     noted: u32,
-    // Whether depth falls with distance.
-    reversed: u32,
+    // A triangle is drawn in place of a fattened one's own if it is at most this many times as large; 0: never.
+    most_around: f32,
     // Points of the polygon around the end of a line, in reaches from there: x beside the edge, y beyond its end. The first is
     // the outer corner; one for each side and one more.
     rim: array<vec4<f32>, 17>,
 }
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;
+
+const AS_PRINTED: u32 = 1u;
+const WITHOUT_SINE: u32 = 2u;
+// Whether the vertex's edge is level.
+const NOTED_LEVEL: u32 = 1u;
+// V.N of the vertex's polygon.
+const NOTED_FACING: u32 = 2u;
 
 // Vertices of a line: the triangles of a polygon of two points more than there are sides around its ends.
 fn vertices_per_line() -> u32 {

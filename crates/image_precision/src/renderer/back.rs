@@ -86,6 +86,7 @@ impl Back {
                 style.faces = fat.count();
                 style.polygon_corners = fat.polygon_corners();
                 style.noted = fat.noted();
+                style.most_around = fat.most_around();
             }
             Self::Later(layer) => {
                 style.faces = layer.faces();
@@ -97,24 +98,16 @@ impl Back {
 
     /// Makes room for a viewport of this size.
     pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
-        match self {
-            Self::Later(layer) => layer.resize(device, size),
-            Self::Fat(fat) => fat.resize(device, size),
-            Self::Faces(_) | Self::Edges { .. } => {}
+        if let Self::Later(layer) = self {
+            layer.resize(device, size);
         }
     }
 
-    pub fn encode(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        camera: &CameraBinding,
-        buffers: &MeshBuffers,
-        mesh: &MeshBinding,
-    ) {
+    pub fn encode(&self, encoder: &mut wgpu::CommandEncoder, camera: &CameraBinding, mesh: &MeshBinding) {
         match self {
             Self::Faces(_) => {}
             Self::Edges { list, .. } => list.encode(encoder, camera, mesh),
-            Self::Fat(fat) => fat.encode(encoder, camera, buffers, mesh),
+            Self::Fat(fat) => fat.encode(encoder, camera, mesh),
             Self::Later(layer) => layer.encode(encoder, camera, mesh),
         }
     }

@@ -13,7 +13,7 @@ use crate::{eye_inside, front_faces};
 use back::Back;
 use extra::ExtraLines;
 use silhouette_core::prepared::PreparedMesh;
-use silhouette_core::view::{Camera, ClipRange, DepthDirection};
+use silhouette_core::view::{Camera, ClipRange};
 use silhouette_gpu::{
     CameraBinding, CameraUniform, DrawsLines, LineRenderer, MeshBinding, MeshBuffers, PenPlacement, RendererError,
     TargetFormats,
@@ -47,8 +47,8 @@ impl DrawsLines for ImagePrecision {
 /// Draws front faces, and back faces or their edges as the variant says.
 ///
 /// On the device: 12 bytes a vertex and a face; for `screen` lists and a table of 24 to 32 bytes a face more, for fattening
-/// lists of 188 (216 where it is textured or charcoal) and a picture of depth, for `unoriented` two lists of 4 and a texture. A
-/// view uploads about 550 bytes.
+/// lists of 188 (216 where it is textured or charcoal), for `unoriented` two lists of 4 and two textures as large as the target,
+/// and with `unoriented-lines=screen` what `screen` takes. A view uploads about 550 bytes.
 #[derive(Debug)]
 pub struct Renderer {
     mesh: Arc<PreparedMesh>,
@@ -128,7 +128,6 @@ impl LineRenderer for Renderer {
         let frame = self.buffers.frame();
         let camera_uniform = CameraUniform::new(frame.to_clip(camera, pulled.range, direction));
         let mut style = style::of_view(&self.settings, camera, bounds, frame, &pulled);
-        style.reversed = u32::from(direction == DepthDirection::Reversed);
         self.back.complete(&mut style);
         self.binding.write(queue, &camera_uniform, &style);
         if let Some(extra) = &mut self.extra {
@@ -144,7 +143,7 @@ impl LineRenderer for Renderer {
 
     fn encode(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(mesh) = self.mesh_binding.as_ref().filter(|_| self.draws_back_faces) {
-            self.back.encode(encoder, &self.binding, &self.buffers, mesh);
+            self.back.encode(encoder, &self.binding, mesh);
         }
     }
 
