@@ -17,6 +17,9 @@ fn in_plane(plane: Plane, p: vec3<f32>) -> vec2<f32> {
 fn push_in(plane: Plane, begin: vec2<f32>, end: vec2<f32>) -> vec2<f32> {
     let edge = end - begin;
     let length_edge = length(edge);
+    if length_edge == 0.0 {
+        return vec2<f32>(0.0);
+    }
     let e = edge / length_edge;
     let half = 0.5 * (begin + end);
     let middle = plane.middle + plane.x * half.x + plane.y * half.y;

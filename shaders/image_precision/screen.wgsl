@@ -45,9 +45,9 @@ fn line_vertex(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>) -> LineVer
     let left = vec2<f32>(-direction.y, direction.x);
     // Triangles go round the polygon about its first point.
     let point = select(vertex / 3u + vertex % 3u, 0u, vertex % 3u == 0u);
-    let of_b = point <= style.fan;
+    let of_b = point <= style.end_sides;
     let anchor = select(a, b, of_b);
-    let rim = style.rim[select(point - style.fan - 1u, style.fan - point, of_b)].xy * reach_px(anchor.w, left);
+    let rim = style.rim[select(point - style.end_sides - 1u, style.end_sides - point, of_b)].xy * reach_px(anchor.w, left);
     let beyond = select(-direction, direction, of_b);
     let ndc = anchor.xy / anchor.w + 2.0 * (rim.x * left + rim.y * beyond) / style.viewport_px;
     // The depth of either end around it, and between them from the one to the other.

@@ -5,14 +5,14 @@
 //! once, from the polygon, and the fan is drawn without culling.
 //!
 //! 1. `cut_triangles.wgsl` classifies every polygon once. A fattened triangle is a hexagon of pushed edges and the bevels between
-//!    them. If it is convex, as nearly all are, every other side made longer bounds a triangle around it; that is drawn with the
-//!    three corners outside of the hexagon cut off, pixel by pixel.
+//!    them. If it is convex, every other side made longer bounds a triangle around it. Where that is at most three times as
+//!    large, as for most triangles but needles, it is drawn with the three corners outside of the hexagon cut off, pixel by pixel.
 //! 2. `fans.wgsl` makes fans of all other polygons. One that is convex has 2 n - 2 triangles about its first corner, which
 //!    cover the same in the same plane as the paper's 2 n.
 //! 3. `fatten.wgsl` draws both.
 //!
-//! The picture stays that of the paper's fans, but for single pixels along edges. `fatten-law=as-printed` draws the fans
-//! themselves, and so do textures, which run along edges.
+//! The picture stays that of the paper's fans, but for single pixels along edges. Fans of 2 n triangles throughout are drawn by
+//! `fatten-law=as-printed` and with textures, which run along edges; with other than one or four samples a pixel nothing is cut.
 //!
 //! [`push`] is the law, as the stages compute it. The printed one, `K z sin(a) / (V.N)`, is exact only for edges whose
 //! strip lies parallel to the image plane; see [`FattenLaw`].

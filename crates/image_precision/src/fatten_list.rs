@@ -139,7 +139,7 @@ impl FatPolygons {
                 label,
                 wgsl: FATTEN,
                 vertex,
-                fragment: Some(fragment),
+                fragment,
                 buffers,
                 culled: None,
                 polygon_mode: wgpu::PolygonMode::Fill,

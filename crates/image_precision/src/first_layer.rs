@@ -85,7 +85,7 @@ impl FirstLayer {
             label,
             wgsl,
             vertex,
-            fragment: Some(fragment),
+            fragment,
             buffers: &[],
             culled: None,
             polygon_mode: wgpu::PolygonMode::Fill,

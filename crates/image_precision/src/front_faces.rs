@@ -22,7 +22,7 @@ pub(crate) fn pipeline(
         label: "image precision: front faces",
         wgsl: silhouette_shaders::image_precision::FRONT_FACES,
         vertex,
-        fragment: Some(fragment),
+        fragment,
         buffers: POSITIONS,
         culled,
         polygon_mode: wgpu::PolygonMode::Fill,

@@ -21,7 +21,7 @@ use std::f64::consts::FRAC_PI_2;
 const ROUNDING_PX: f64 = 0.2;
 
 /// Most sides around the end of a line.
-const MAX_FAN: u32 = 16;
+const MAX_END_SIDES: u32 = 16;
 
 /// How the end of a line is rounded: a polygon around an arc whose radius is how far the line reaches beside its edge.
 ///
@@ -31,26 +31,26 @@ pub struct Rounding {
     /// How far outer corners reach beyond the end of the line, over its reach beside it.
     pub corner: f64,
     /// Sides around the end, 1 to 16.
-    pub fan: u32,
+    pub end_sides: u32,
     /// Whether ink lies on both sides of the edge, so that the arc is half a turn; otherwise a quarter.
     pub is_centred: bool,
 }
 
 impl Rounding {
     /// No rounding: a centred line ends where its edge does.
-    pub const BLUNT: Self = Self { corner: 0.0, fan: 1, is_centred: true };
+    pub const BLUNT: Self = Self { corner: 0.0, end_sides: 1, is_centred: true };
 
     /// Points of the polygon, from the outer corner to straight ahead, or to the other corner: how far beside the edge and how
     /// far beyond its end, in reaches. Those beyond the last repeat nothing and are zero.
     #[cfg(feature = "gpu")]
-    pub(crate) fn rim(&self) -> [[f32; 4]; MAX_FAN as usize + 1] {
+    pub(crate) fn rim(&self) -> [[f32; 4]; MAX_END_SIDES as usize + 1] {
         let first = self.corner.atan();
         let sweep = if self.is_centred { 2.0 } else { 1.0 } * (FRAC_PI_2 - first);
-        let mut rim = [[0.0; 4]; MAX_FAN as usize + 1];
-        for (step, point) in (0..=self.fan).zip(&mut rim) {
-            let is_corner = step == 0 || (self.is_centred && step == self.fan);
+        let mut rim = [[0.0; 4]; MAX_END_SIDES as usize + 1];
+        for (step, point) in (0..=self.end_sides).zip(&mut rim) {
+            let is_corner = step == 0 || (self.is_centred && step == self.end_sides);
             let radius = if is_corner { self.corner.hypot(1.0) } else { 1.0 };
-            let (sine, cosine) = (first + sweep * f64::from(step) / f64::from(self.fan)).sin_cos();
+            let (sine, cosine) = (first + sweep * f64::from(step) / f64::from(self.end_sides)).sin_cos();
             *point = [(radius * cosine) as f32, (radius * sine) as f32, 0.0, 0.0];
         }
         rim
@@ -65,8 +65,8 @@ pub fn rounding(width_px: f64, is_centred: bool) -> Rounding {
     let sweep = corners * (FRAC_PI_2 - reach);
     // The chord next to a corner begins as far outside of the arc as it may end inside.
     let sagitta = |count: u32| width_px * (1.0 - (0.5 * sweep / f64::from(count)).cos());
-    let fan = (1..MAX_FAN).find(|&count| sagitta(count) <= 2.0 * ROUNDING_PX).unwrap_or(MAX_FAN);
-    Rounding { corner: reach.tan(), fan, is_centred }
+    let end_sides = (1..MAX_END_SIDES).find(|&count| sagitta(count) <= 2.0 * ROUNDING_PX).unwrap_or(MAX_END_SIDES);
+    Rounding { corner: reach.tan(), end_sides, is_centred }
 }
 
 #[cfg(test)]
@@ -75,9 +75,9 @@ mod tests {
 
     #[test]
     fn wider_lines_take_more_triangles_and_reach_less() {
-        let counts = [0.5, 2.0, 5.0, 20.0].map(|width_px| rounding(width_px, false).fan);
+        let counts = [0.5, 2.0, 5.0, 20.0].map(|width_px| rounding(width_px, false).end_sides);
         assert_eq!(counts, [1, 1, 2, 4]);
-        assert!(rounding(2.0, true).fan > 1 && rounding(1e9, true).fan == 16);
+        assert!(rounding(2.0, true).end_sides > 1 && rounding(1e9, true).end_sides == 16);
         for width_px in [0.5, 2.0, 20.0, 1000.0] {
             let Rounding { corner, .. } = rounding(width_px, false);
             let beyond = width_px * corner.hypot(1.0) - width_px;

@@ -7,8 +7,7 @@ pub(crate) struct Stage {
     pub label: &'static str,
     pub wgsl: &'static str,
     pub vertex: &'static str,
-    /// None where depth alone is drawn.
-    pub fragment: Option<&'static str>,
+    pub fragment: &'static str,
     /// Vertex buffers; none where the stage pulls what it needs.
     pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
     pub culled: Option<wgpu::Face>,
@@ -69,9 +68,9 @@ impl Stage {
             },
             depth_stencil: Some(self.depth),
             multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-            fragment: self.fragment.map(|fragment| wgpu::FragmentState {
+            fragment: Some(wgpu::FragmentState {
                 module: &module,
-                entry_point: Some(fragment),
+                entry_point: Some(self.fragment),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 targets: &targets,
             }),

@@ -25,7 +25,7 @@ struct Around {
 
 struct CutTriangle {
     around: Around,
-    // The hexagon, turned so that ab, cd and ef are the sides made longer.
+    // The hexagon, from the corner on that makes ab, cd and ef the sides made longer.
     hexagon: Hexagon,
     is_found: bool,
 }
@@ -42,8 +42,8 @@ fn is_convex(h: Hexagon) -> bool {
     let de = h.e - h.d;
     let ef = h.f - h.e;
     let fa = h.a - h.f;
-    let turns = min(min(perp_dot(ab, bc), perp_dot(bc, cd)), min(perp_dot(cd, de), perp_dot(de, ef)));
-    return min(turns, min(perp_dot(ef, fa), perp_dot(fa, ab))) >= 0.0;
+    let bends = min(min(perp_dot(ab, bc), perp_dot(bc, cd)), min(perp_dot(cd, de), perp_dot(de, ef)));
+    return min(bends, min(perp_dot(ef, fa), perp_dot(fa, ab))) >= 0.0;
 }
 
 fn twice_area(h: Hexagon) -> f32 {
@@ -63,20 +63,19 @@ fn around(h: Hexagon) -> Around {
     let bc = meeting(h.b, ab, h.c, cd);
     let de = meeting(h.d, cd, h.e, ef);
     let fa = meeting(h.f, ef, h.a, ab);
-    let area = perp_dot(de - bc, fa - bc);
-    // Comparisons refuse what is no number.
-    let meet = dot(bc - h.b, ab) >= 0.0 && dot(de - h.d, cd) >= 0.0 && dot(fa - h.f, ef) >= 0.0 && area > 0.0;
-    return Around(bc, de, fa, select(1e30, area, meet));
+    // Sides of a convex hexagon that turn left into each other meet; the others are divided by nothing or less.
+    let meet = perp_dot(ab, cd) > 0.0 && perp_dot(cd, ef) > 0.0 && perp_dot(ef, ab) > 0.0;
+    return Around(bc, de, fa, select(1e30, perp_dot(de - bc, fa - bc), meet));
 }
 
 // The smaller of the two triangles around a hexagon, where it is small enough.
 fn cut_triangle(h: Hexagon) -> CutTriangle {
-    let turned = Hexagon(h.b, h.c, h.d, h.e, h.f, h.a);
+    let shifted = Hexagon(h.b, h.c, h.d, h.e, h.f, h.a);
     let pushed = around(h);
-    let bevelled = around(turned);
+    let bevelled = around(shifted);
     let is_small = is_convex(h) && min(pushed.area, bevelled.area) < style.most_around * twice_area(h);
     if bevelled.area < pushed.area {
-        return CutTriangle(bevelled, turned, is_small);
+        return CutTriangle(bevelled, shifted, is_small);
     }
     return CutTriangle(pushed, h, is_small);
 }

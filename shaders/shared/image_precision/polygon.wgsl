@@ -4,12 +4,13 @@ struct Polygon {
     first: u32,
     size: u32,
     middle: vec3<f32>,
-    // Unit, or zero where the polygon has no area.
+    // Unit, or zero where the polygon has no area that 32 bits can tell.
     normal: vec3<f32>,
 }
 
 fn unit_or_zero(v: vec3<f32>) -> vec3<f32> {
-    return v / max(length(v), 1e-30);
+    let length_v = length(v);
+    return select(vec3<f32>(0.0), v / length_v, length_v > 0.0);
 }
 
 // First corner of a polygon, and of the one after it. Triangles lie one after another; others have their starts in a table.
@@ -38,7 +39,7 @@ fn polygon(range: vec2<u32>) -> Polygon {
 
 // The same for a triangle whose corners are at hand.
 fn triangle(first: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Polygon {
-    return Polygon(first, 3u, a + (b - a + c - a) / 3.0, unit_or_zero(cross(b - a, c - a)));
+    return Polygon(first, 3u, a + ((b - a) + (c - a)) / 3.0, unit_or_zero(cross(b - a, c - a)));
 }
 
 // V.N at its middle, towards the viewer.

@@ -7,7 +7,8 @@ const FARTHEST: f32 = 4.0;
 fn push(middle: vec3<f32>, e: vec3<f32>, length_edge: f32, n: vec3<f32>) -> f32 {
     let ray = -towards_viewer(middle);
     let is_perspective = style.eye.w != 0.0;
-    let depth = select(1.0, dot(ray, style.axis.xyz), is_perspective);
+    // What lies before the near plane is pushed as if it were on it.
+    let depth = select(1.0, max(dot(ray, style.axis.xyz), style.near_w), is_perspective);
     let width = max(style.reach.x + style.reach.y / depth, 0.0);
     // All of these are |ray| times as long as in the paper, which drops out.
     let across = cross(ray, e);

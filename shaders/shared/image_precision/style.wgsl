@@ -36,7 +36,7 @@ struct StyleUniform {
     // Towards the viewer in units of the depth buffer, for lines that lie on front faces.
     lift: f32,
     // Sides of a line's polygon around either end.
-    fan: u32,
+    end_sides: u32,
     // What each vertex of a fattened polygon tells: 0 nothing, or one of those below.
     noted: u32,
     // A triangle is drawn in place of a fattened one's own if it is at most this many times as large; 0: never.
@@ -57,7 +57,7 @@ const NOTED_FACING: u32 = 2u;
 
 // Vertices of a line: the triangles of a polygon of two points more than there are sides around its ends.
 fn vertices_per_line() -> u32 {
-    return 6u * style.fan;
+    return 6u * style.end_sides;
 }
 
 // From a point towards the viewer; not normalised.

@@ -72,9 +72,9 @@ impl ExtraLines {
         let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
         let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
         let rounding = screen::rounding(0.5 * width_px, true);
-        self.vertices = self.edges.saturating_mul(6 * rounding.fan);
+        self.vertices = self.edges.saturating_mul(6 * rounding.end_sides);
         let style = StyleUniform {
-            fan: rounding.fan,
+            end_sides: rounding.end_sides,
             rim: rounding.rim(),
             reach: [half, half_falling],
             lift: lift as f32,

@@ -57,8 +57,11 @@ pub fn ink(image: &Image) -> usize {
 }
 
 pub fn framed(mesh: &TriangleMesh, size: u32) -> Camera {
+    framed_as(mesh, Framing::Perspective { fov_y_rad: 0.7 }, size)
+}
+
+pub fn framed_as(mesh: &TriangleMesh, framing: Framing, size: u32) -> Camera {
     let bounds = mesh.bounds().unwrap();
-    let framing = Framing::Perspective { fov_y_rad: 0.7 };
     Camera::framing(&bounds, DVec3::new(0.55, 0.35, 1.0), Vec3::Y, framing, [size; 2]).unwrap()
 }
 

@@ -42,7 +42,8 @@ pub(super) enum LostError {
     View(#[from] silhouette_core::view::ViewError),
 }
 
-/// Of the front faces that a picture of [`FINE_PX`] shows, the shares that pictures of [`SIZES_PX`] do not.
+/// Of the front faces that a picture of [`FINE_PX`] shows, the shares that pictures of [`SIZES_PX`] do not. Draws
+/// all four.
 pub(super) fn shares(gpu: &Gpu, mesh: &PreparedMesh, camera: &Camera) -> Result<[f64; 3], LostError> {
     let buffers = MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh()).map_err(DrawError::from)?;
     let facings = FaceFacings::new(mesh.mesh(), &camera.viewpoint());
