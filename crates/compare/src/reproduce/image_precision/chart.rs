@@ -84,13 +84,13 @@ fn bar(left: f64, right: f64, middle: f64, color: &'static str) -> Rectangle {
 
 #[cfg(test)]
 mod tests {
-    use super::super::measure::tests::reproduction;
+    use super::super::measure::tests::of_one_mesh;
     use super::*;
 
     #[test]
     fn every_variant_has_both_bars() {
-        let Some(reproduction) = reproduction() else { return };
-        let chart = variants(reproduction);
+        let Some(reproduction) = of_one_mesh("every_variant_has_both_bars") else { return };
+        let chart = variants(&reproduction);
         let rows = reproduction.meshes[0].variants.len();
         assert_eq!(chart.matches("<rect").count(), 2 * rows + 1);
         assert!(!chart.contains("NaN") && !chart.contains("inf"));

@@ -137,11 +137,7 @@ pub fn run(
     gpu: &Gpu,
     progress: &dyn Progress,
 ) -> Result<Reproduction, ReproduceError> {
-    let mut results = Vec::new();
-    for NamedMesh { name, mesh } in meshes {
-        let camera = framed(mesh.mesh(), name, profile.size())?;
-        results.push(measure_mesh(name, mesh, gpu, &camera, None, rounds(profile), progress)?);
-    }
+    let mut results = measure_meshes(profile, meshes, gpu, progress)?;
     for (level, ..) in predicted::FATTENED {
         let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
         let camera = views::camera(DVec3::new(0.55, 0.35, 1.0))?;
@@ -149,9 +145,28 @@ pub fn run(
         results.push(measure_mesh(&name, &mesh, gpu, &camera, Some(level), 0, progress)?);
     }
     let soup = if profile == Profile::Full { measure_soup(gpu, profile.size(), progress)? } else { Vec::new() };
-    let adapter = gpu.adapter().to_string();
-    let (machine, program) = (describe_machine(), describe_program());
-    Ok(Reproduction { profile, adapter, machine, program, meshes: results, soup })
+    Ok(Reproduction::new(profile, gpu, results, soup))
+}
+
+impl Reproduction {
+    /// What was measured, with where.
+    fn new(profile: Profile, gpu: &Gpu, meshes: Vec<MeshResult>, soup: Vec<SoupResult>) -> Self {
+        let adapter = gpu.adapter().to_string();
+        Self { profile, adapter, machine: describe_machine(), program: describe_program(), meshes, soup }
+    }
+}
+
+fn measure_meshes(
+    profile: Profile,
+    meshes: &[NamedMesh],
+    gpu: &Gpu,
+    progress: &dyn Progress,
+) -> Result<Vec<MeshResult>, ReproduceError> {
+    let each = meshes.iter().map(|NamedMesh { name, mesh }| {
+        let camera = framed(mesh.mesh(), name, profile.size())?;
+        measure_mesh(name, mesh, gpu, &camera, None, rounds(profile), progress)
+    });
+    each.collect()
 }
 
 /// The view that meshes are drawn in.
@@ -273,18 +288,17 @@ pub(super) mod tests {
     use silhouette_core::NoProgress;
     use silhouette_core::shapes::by_name;
     use silhouette_render::testing::gpu_or_skip;
-    use std::sync::OnceLock;
 
-    /// A small reproduction, measured once for all tests; `None` where there is no adapter.
-    pub fn reproduction() -> Option<&'static Reproduction> {
-        static MEASURED: OnceLock<Option<Reproduction>> = OnceLock::new();
-        let measured = MEASURED.get_or_init(|| {
-            let gpu = gpu_or_skip("image_precision::reproduction")?;
-            let mesh = Arc::new(PreparedMesh::new(by_name("blob:5672").unwrap()));
-            let meshes = [NamedMesh { name: "builtin:blob:5672".to_owned(), mesh }];
-            Some(run(Profile::Quick, &meshes, gpu, &NoProgress).unwrap())
-        });
-        measured.as_ref()
+    fn blob() -> [NamedMesh; 1] {
+        let mesh = Arc::new(PreparedMesh::new(by_name("blob:5672").unwrap()));
+        [NamedMesh { name: "builtin:blob:5672".to_owned(), mesh }]
+    }
+
+    /// A reproduction of one mesh, without spheres; `None` where there is no adapter.
+    pub fn of_one_mesh(test: &str) -> Option<Reproduction> {
+        let gpu = gpu_or_skip(test)?;
+        let meshes = measure_meshes(Profile::Quick, &blob(), gpu, &NoProgress).unwrap();
+        Some(Reproduction::new(Profile::Quick, gpu, meshes, Vec::new()))
     }
 
     fn of<'a>(mesh: &'a MeshResult, label: &str) -> &'a Score {
@@ -293,7 +307,8 @@ pub(super) mod tests {
 
     #[test]
     fn variants_draw_what_the_geometry_and_earlier_experiments_predict() {
-        let Some(reproduction) = reproduction() else { return };
+        let Some(gpu) = gpu_or_skip("variants_draw_what_the_geometry_and_earlier_experiments_predict") else { return };
+        let reproduction = run(Profile::Quick, &blob(), gpu, &NoProgress).unwrap();
         let spheres = reproduction.meshes.iter().filter_map(|mesh| Some((mesh.sphere_level?, mesh)));
         for (level, mesh) in spheres {
             let screen = of(mesh, "screen");
@@ -318,6 +333,10 @@ pub(super) mod tests {
             assert!((mean / expected - 1.0).abs() < if at < 2 { 0.15 } else { 0.3 }, "{lost:?}");
         }
         assert!(sphere.lost.iter().all(|lost| lost.extra_px[0] == 0), "scaling moves no sample");
+        let figures = super::super::rows::figures(&reproduction);
+        let of_views = figures.iter().filter(|figure| figure.metric.ends_with("of views"));
+        assert_eq!(of_views.count(), 4 * 3 + 3 * 3, "three of spikes a sphere, three of lost faces a size");
+        assert!(figures.iter().all(|figure| figure.ours.is_none_or(f64::is_finite)));
         let scaled = of(finest, "scale 0.95").ink_over_length_px;
         assert!((scaled / predicted::scaled_width_px(0.95) - 1.0).abs() < 0.15, "{scaled}");
     }
@@ -328,8 +347,14 @@ pub(super) mod tests {
 
     #[test]
     fn screen_draws_the_true_lines_of_real_meshes() {
-        let Some(folder) = std::env::var_os("SILHOUETTES_MODELS") else { return };
-        let Some(gpu) = gpu_or_skip("screen_draws_the_true_lines_of_real_meshes") else { return };
+        use std::io::Write;
+        let test = "screen_draws_the_true_lines_of_real_meshes";
+        let Some(folder) = std::env::var_os("SILHOUETTES_MODELS") else {
+            // Straight to stderr, so that the skip shows even though the test passes.
+            writeln!(std::io::stderr(), "skipped {test}: SILHOUETTES_MODELS names no folder of meshes").unwrap();
+            return;
+        };
+        let Some(gpu) = gpu_or_skip(test) else { return };
         let entry = registry::find("image-precision").unwrap();
         for name in REAL {
             let path = std::path::Path::new(&folder).join(name);
@@ -361,7 +386,7 @@ pub(super) mod tests {
 
     #[test]
     fn a_soup_of_turned_triangles_is_still_drawn() {
-        let Some(reproduction) = reproduction() else { return };
+        let Some(reproduction) = of_one_mesh("a_soup_of_turned_triangles_is_still_drawn") else { return };
         let mesh = &reproduction.meshes[0];
         let (soup, scaled) = (mesh.shuffled[0].score, of(mesh, "scale 0.99"));
         assert!((soup.ink_over_length_px / scaled.ink_over_length_px - 1.0).abs() < 0.3, "{soup:?} {scaled:?}");

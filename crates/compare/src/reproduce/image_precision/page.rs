@@ -47,14 +47,17 @@ fn section(mesh: &MeshResult) -> Value {
 #[cfg(test)]
 mod tests {
     use super::super::chart::variants;
-    use super::super::measure::tests::reproduction;
+    use super::super::measure::{MeshResult, tests::of_one_mesh};
     use super::super::variants::VARIANTS;
     use super::*;
 
     #[test]
     fn the_page_shows_every_variant_of_every_mesh_and_fetches_nothing() {
-        let Some(reproduction) = reproduction() else { return };
-        let reproduction = &Reproduction { machine: "a <processor>".to_owned(), ..reproduction.clone() };
+        let test = "the_page_shows_every_variant_of_every_mesh_and_fetches_nothing";
+        let Some(reproduction) = of_one_mesh(test) else { return };
+        let mesh = reproduction.meshes[0].clone();
+        let meshes = vec![mesh.clone(), MeshResult { name: "another".to_owned(), ..mesh }];
+        let reproduction = &Reproduction { machine: "a <processor>".to_owned(), meshes, ..reproduction };
         let page = render(reproduction, &variants(reproduction)).unwrap();
         for variant in VARIANTS {
             let row = format!("<td>{}</td>", variant.label);

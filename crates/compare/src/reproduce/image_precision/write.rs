@@ -19,17 +19,17 @@ pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, W
 
 #[cfg(test)]
 mod tests {
-    use super::super::measure::tests::reproduction;
+    use super::super::measure::tests::of_one_mesh;
     use super::*;
     use crate::reproduce::read_figures;
 
     #[test]
     fn every_figure_is_written() {
-        let Some(reproduction) = reproduction() else { return };
+        let Some(reproduction) = of_one_mesh("every_figure_is_written") else { return };
         let folder = tempfile::tempdir().unwrap();
-        let page = write(reproduction, folder.path()).unwrap();
+        let page = write(&reproduction, folder.path()).unwrap();
         let read = read_figures(&std::fs::read(page.with_file_name("tables.jsonl")).unwrap()[..]).unwrap();
-        assert_eq!(read.len(), figures(reproduction).len());
+        assert_eq!(read.len(), figures(&reproduction).len());
         assert!(read.iter().any(|figure| figure.ours.is_some()));
     }
 }
