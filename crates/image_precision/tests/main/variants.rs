@@ -209,6 +209,25 @@ fn lines_are_cut_at_the_near_plane() {
 }
 
 #[test]
+fn polygons_that_run_past_the_eye_are_fattened_no_further_than_their_lines() {
+    let Some(gpu) = gpu_or_skip("polygons_that_run_past_the_eye_are_fattened_no_further_than_their_lines") else {
+        return;
+    };
+    // The middles of a long box's edges lie behind the eye; pushed by multiples of such a depth they would cross the picture.
+    let bar = Cuboid { size: [0.2, 0.2, 40.0] }.mesh().unwrap();
+    let projection = Projection::Perspective { fov_y_rad: 1.2 };
+    for (beside, z) in [(0.5, -5.0), (0.15, -10.0)] {
+        let eye = Vec3::new(beside, beside, z);
+        let camera = Camera::new(eye, eye - Vec3::Z, Vec3::Y, projection, [256; 2]).unwrap();
+        for clamp in ["fatten-clamp=4", "fatten-clamp=0"] {
+            let inked = |words: &[&str]| ink(&draw(gpu, &bar, &camera, words, DEFAULT_FORMATS).image);
+            let [fattened, lines] = [inked(&["variant=fatten", "width=3", clamp]), inked(&["width=3"])];
+            assert!((1..lines).contains(&fattened), "{z}, {clamp}: {fattened} {lines}");
+        }
+    }
+}
+
+#[test]
 fn extra_edges_textures_and_colours_show() {
     let Some(gpu) = gpu_or_skip("extra_edges_textures_and_colours_show") else { return };
     let cube = Cuboid::default().mesh().unwrap();
