@@ -325,14 +325,20 @@ pub(super) mod tests {
         }
         let finest = reproduction.meshes.iter().find(|mesh| mesh.sphere_level == Some(5)).unwrap();
         let sphere = reproduction.meshes.iter().find(|mesh| mesh.sphere_level == Some(4)).unwrap();
-        let (lost, expected) = (sphere.views.unwrap().lost.unwrap(), predicted::lost(&sphere.name).unwrap());
+        let (over_views, expected) = (sphere.views.unwrap().lost.unwrap(), predicted::lost(&sphere.name).unwrap());
         for (at, expected) in expected.into_iter().enumerate() {
-            let [mean, least, most] = [lost.mean, lost.least, lost.most].map(|shares| 100.0 * shares[at]);
-            assert!(0.85 * least < expected && expected < 1.15 * most, "{lost:?}");
+            let [mean, least, most] =
+                [over_views.mean, over_views.least, over_views.most].map(|shares| 100.0 * shares[at]);
+            assert!(0.85 * least < expected && expected < 1.15 * most, "{over_views:?}");
             // At 1024 pixels five of some 1700 faces are lost.
-            assert!((mean / expected - 1.0).abs() < if at < 2 { 0.15 } else { 0.3 }, "{lost:?}");
+            assert!((mean / expected - 1.0).abs() < if at < 2 { 0.15 } else { 0.3 }, "{over_views:?}");
         }
-        assert!(sphere.lost.iter().all(|lost| lost.extra_px[0] == 0), "scaling moves no sample");
+        for (lost, expected) in sphere.lost.iter().zip(expected) {
+            // In the usual view, whose field of view is narrower, fewer are lost at 256 pixels.
+            let tolerance = if lost.size_px == 256 { 0.35 } else { 0.15 };
+            assert!((100.0 * lost.share / expected - 1.0).abs() < tolerance, "{lost:?} {expected}");
+            assert_eq!(lost.extra_px[0], 0, "scaling moves no sample");
+        }
         let figures = super::super::rows::figures(&reproduction);
         let of_views = figures.iter().filter(|figure| figure.metric.ends_with("of views"));
         assert_eq!(of_views.count(), 4 * 3 + 3 * 3, "three of spikes a sphere, three of lost faces a size");
