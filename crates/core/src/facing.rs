@@ -51,33 +51,18 @@ const UNDERFLOW_BOUND: f32 = f32::from_bits(8);
 
 /// The exact facing of a face with these corners (counter-clockwise seen from outside).
 #[inline]
-pub fn judge([v0, v1, v2]: [Vec3; 3], viewpoint: &Viewpoint) -> Judgement {
+pub fn judge(corners: [Vec3; 3], viewpoint: &Viewpoint) -> Judgement {
+    viewpoint.judge(corners)
+}
+
+/// The facing that the filter is certain of.
+#[inline]
+fn filtered_facing([v0, v1, v2]: [Vec3; 3], viewpoint: &Viewpoint) -> Option<Facing> {
     let toward_viewer = match *viewpoint {
         Viewpoint::Perspective { eye } => eye - v0,
         Viewpoint::Orthographic { toward_viewer } => toward_viewer,
     };
-    if let Some(facing) = filtered(v1 - v0, v2 - v0, toward_viewer) {
-        return Judgement { facing, exact_fallback: false };
-    }
-    Judgement { facing: exact_facing([v0, v1, v2], viewpoint), exact_fallback: true }
-}
-
-#[cold]
-fn exact_facing([v0, v1, v2]: [Vec3; 3], viewpoint: &Viewpoint) -> Facing {
-    let sign = match *viewpoint {
-        Viewpoint::Perspective { eye } => side_of_point(v0, v1, v2, eye),
-        Viewpoint::Orthographic { toward_viewer } => side_of_direction(v0, v1, v2, toward_viewer),
-    };
-    if sign == Ordering::Greater { Facing::Front } else { Facing::Back }
-}
-
-/// The facing that `(a x b) . p` has for certain; `None` where rounding could have changed it.
-#[inline]
-fn filtered(a: Vec3, b: Vec3, p: Vec3) -> Option<Facing> {
-    let (positive, negative) = (a.yzx() * b.zxy(), a.zxy() * b.yzx());
-    let value = p.dot(positive - negative);
-    let magnitude = p.abs().dot(positive.abs() + negative.abs());
-    let error = RELATIVE_BOUND * magnitude + UNDERFLOW_BOUND * (p.abs().element_sum() + 1.0);
+    let (value, error) = filter(v1 - v0, v2 - v0, toward_viewer);
     if value > error {
         Some(Facing::Front)
     } else if value < -error {
@@ -85,6 +70,15 @@ fn filtered(a: Vec3, b: Vec3, p: Vec3) -> Option<Facing> {
     } else {
         None
     }
+}
+
+/// `(a x b) . p`, rounded, and a bound of its error.
+#[inline]
+fn filter(a: Vec3, b: Vec3, p: Vec3) -> (f32, f32) {
+    let (positive, negative) = (a.yzx() * b.zxy(), a.zxy() * b.yzx());
+    let value = p.dot(positive - negative);
+    let magnitude = p.abs().dot(positive.abs() + negative.abs());
+    (value, RELATIVE_BOUND * magnitude + UNDERFLOW_BOUND * (p.abs().element_sum() + 1.0))
 }
 
 /// Exact sign of `((v1 - v0) x (v2 - v0)) . (point - v0)`.
@@ -108,10 +102,67 @@ fn side_of_direction(v0: Vec3, v1: Vec3, v2: Vec3, direction: Vec3) -> Ordering 
     sign_of_products(products)
 }
 
-/// The facing of every face for one view, a bit a face.
+#[inline]
+fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Vec3; 3] {
+    triangle.map(|vertex| mesh.positions()[vertex as usize])
+}
+
+/// A bit for each of up to 64 faces that is certainly front, and one for each of which the filter is not certain. Without
+/// a branch per face, so that the processor works on several at a time.
+#[inline]
+fn certain_bits(mesh: &TriangleMesh, triangles: &[[u32; 3]], toward_viewer: impl Fn(Vec3) -> Vec3) -> (u64, u64) {
+    let (mut front, mut unsure) = (0, 0);
+    for (bit, &triangle) in triangles.iter().enumerate() {
+        let [v0, v1, v2] = corners(mesh, triangle);
+        let (value, error) = filter(v1 - v0, v2 - v0, toward_viewer(v0));
+        front |= u64::from(value > error) << bit;
+        // A bound that is not a number is no certainty either.
+        let is_certain = value.abs() > error;
+        unsure |= u64::from(!is_certain) << bit;
+    }
+    (front, unsure)
+}
+
+/// Decides facing exactly: a [`Viewpoint`] by Hall's definition, under which ties are back, or a
+/// [`DisplacedViewer`](crate::DisplacedViewer), for whom there are no ties.
+pub trait FacingRule: Sync {
+    /// Where faces are seen from.
+    fn viewpoint(&self) -> &Viewpoint;
+
+    /// The facing of a face by exact arithmetic.
+    fn judge_exactly(&self, corners: [Vec3; 3]) -> Facing;
+
+    /// The facing of a face: by the filter where that is certain.
+    #[inline]
+    fn judge(&self, corners: [Vec3; 3]) -> Judgement {
+        match filtered_facing(corners, self.viewpoint()) {
+            Some(facing) => Judgement { facing, exact_fallback: false },
+            None => Judgement { facing: self.judge_exactly(corners), exact_fallback: true },
+        }
+    }
+}
+
+impl FacingRule for Viewpoint {
+    fn viewpoint(&self) -> &Viewpoint {
+        self
+    }
+
+    #[cold]
+    fn judge_exactly(&self, [v0, v1, v2]: [Vec3; 3]) -> Facing {
+        let sign = match *self {
+            Self::Perspective { eye } => side_of_point(v0, v1, v2, eye),
+            Self::Orthographic { toward_viewer } => side_of_direction(v0, v1, v2, toward_viewer),
+        };
+        if sign == Ordering::Greater { Facing::Front } else { Facing::Back }
+    }
+}
+
+/// The facing of every face for one view, one bit per face.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FaceFacings {
     front: Vec<u64>,
+    /// Faces that were left to exact arithmetic.
+    doubtful: Vec<u64>,
     faces: usize,
 }
 
@@ -121,28 +172,34 @@ const WORDS_PER_TASK: usize = 256;
 impl FaceFacings {
     /// Facing of every face of `mesh`. O(F), parallel. Keep the value and call [`classify`](Self::classify) to reuse its
     /// memory.
-    pub fn new(mesh: &TriangleMesh, viewpoint: &Viewpoint) -> Self {
+    pub fn new(mesh: &TriangleMesh, rule: &impl FacingRule) -> Self {
         let mut facings = Self::default();
-        facings.classify(mesh, viewpoint);
+        facings.classify(mesh, rule);
         facings
     }
 
     /// Replaces the facings by those of another view; yields the number of exact fallbacks. O(F), parallel, allocates
     /// nothing once the value has seen a mesh of this size.
-    pub fn classify(&mut self, mesh: &TriangleMesh, viewpoint: &Viewpoint) -> u64 {
+    pub fn classify(&mut self, mesh: &TriangleMesh, rule: &impl FacingRule) -> u64 {
         self.clear(mesh.face_count());
         let triangles = mesh.triangles().par_chunks(64);
         self.front
             .par_iter_mut()
+            .zip(self.doubtful.par_iter_mut())
             .zip(triangles)
             .with_min_len(WORDS_PER_TASK)
-            .map(|(word, triangles)| {
-                let mut fallbacks = 0;
-                for (bit, triangle) in triangles.iter().enumerate() {
-                    let corners = triangle.map(|vertex| mesh.positions()[vertex as usize]);
-                    let judgement = judge(corners, viewpoint);
-                    *word |= u64::from(judgement.facing == Facing::Front) << bit;
-                    fallbacks += u64::from(judgement.exact_fallback);
+            .map(|((word, doubtful), triangles)| {
+                let (front, mut unsure) = match *rule.viewpoint() {
+                    Viewpoint::Perspective { eye } => certain_bits(mesh, triangles, |v0| eye - v0),
+                    Viewpoint::Orthographic { toward_viewer } => certain_bits(mesh, triangles, |_| toward_viewer),
+                };
+                (*word, *doubtful) = (front, unsure);
+                let fallbacks = u64::from(unsure.count_ones());
+                while unsure != 0 {
+                    let bit = unsure.trailing_zeros();
+                    unsure &= unsure - 1;
+                    let facing = rule.judge_exactly(corners(mesh, triangles[bit as usize]));
+                    *word |= u64::from(facing == Facing::Front) << bit;
                 }
                 fallbacks
             })
@@ -163,8 +220,10 @@ impl FaceFacings {
 
     /// Makes `faces` faces, all back.
     pub fn clear(&mut self, faces: usize) {
-        self.front.clear();
-        self.front.resize(faces.div_ceil(64), 0);
+        for bits in [&mut self.front, &mut self.doubtful] {
+            bits.clear();
+            bits.resize(faces.div_ceil(64), 0);
+        }
         self.faces = faces;
     }
 
@@ -206,9 +265,18 @@ impl FaceFacings {
         self.front.iter().map(|word| word.count_ones() as usize).sum()
     }
 
+    /// Faces that the last call of [`classify`](Self::classify) left to exact arithmetic, ascending; those seen edge-on are
+    /// among them. O(F / 64).
+    pub fn doubtful_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        let words = self.doubtful.iter().enumerate().filter(|(_, word)| **word != 0);
+        words.flat_map(|(index, &word)| {
+            (0..64).filter(move |bit| word >> bit & 1 == 1).map(move |bit| FaceId::from_usize(64 * index + bit))
+        })
+    }
+
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.front.as_slice())
+        size_of_val(self.front.as_slice()) + size_of_val(self.doubtful.as_slice())
     }
 }
 

@@ -13,6 +13,7 @@
 //! Cost is stated in faces F, edges E, vertices V and silhouette edges S. Every result is the same bits for any number
 //! of threads. Nothing here knows about a GPU or needs a C++ compiler.
 
+pub mod displaced;
 mod exact;
 pub mod facing;
 pub mod facing_memo;
@@ -34,7 +35,8 @@ pub mod weld;
 
 pub use glam;
 
-pub use facing::{FaceFacings, Facing};
+pub use displaced::DisplacedViewer;
+pub use facing::{FaceFacings, Facing, FacingRule};
 pub use facing_memo::FacingMemo;
 pub use id::{EdgeId, FaceId, HalfEdgeId, PerElement, VertexId};
 pub use loops::SilhouetteLoops;

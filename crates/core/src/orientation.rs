@@ -26,17 +26,21 @@ const CERTAIN: f64 = 9.0 * (f64::EPSILON / 2.0) / RELATIVE_ERROR;
 /// `a b c` runs counter-clockwise. Within [`RELATIVE_ERROR`], 0 only for points in one plane.
 #[inline]
 pub fn orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
-    // Shared vertices are the common case of points in one plane.
-    if a == b || a == c || a == d || b == c || b == d || c == d {
-        return 0.0;
-    }
+    certain_orientation(a, b, c, d).unwrap_or_else(|| exact_orientation(a, b, c, d))
+}
+
+#[inline]
+fn certain_orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> Option<f64> {
     let base = a.as_dvec3();
     certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, d.as_dvec3() - base)
-        .unwrap_or_else(|| exact_orientation(a, b, c, d))
 }
 
 #[cold]
 fn exact_orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
+    // Shared vertices are the common case of points in one plane.
+    if a == b || a == c || a == d || b == c || b == d || c == d {
+        return 0.0;
+    }
     let faces = [(1.0, [b, c, d]), (-1.0, [a, c, d]), (1.0, [a, b, d]), (-1.0, [a, b, c])];
     sum_of_products(faces.into_iter().flat_map(|(sign, corners)| determinant(sign, corners)))
 }
@@ -46,24 +50,34 @@ fn exact_orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
 /// is affine. Within [`RELATIVE_ERROR`]; 0 only where the three points and the eye lie in one plane.
 #[inline]
 pub fn turn(viewpoint: &Viewpoint, a: Vec3, b: Vec3, c: Vec3) -> f64 {
+    certain_turn(viewpoint, a, b, c).unwrap_or_else(|| exact_turn(viewpoint, a, b, c))
+}
+
+/// [`turn`] where the filter is certain of it.
+#[inline]
+pub(crate) fn certain_turn(viewpoint: &Viewpoint, a: Vec3, b: Vec3, c: Vec3) -> Option<f64> {
     match *viewpoint {
-        Viewpoint::Perspective { eye } => orientation(a, b, c, eye),
-        Viewpoint::Orthographic { toward_viewer } => turn_along(toward_viewer, a, b, c),
+        Viewpoint::Perspective { eye } => certain_orientation(a, b, c, eye),
+        Viewpoint::Orthographic { toward_viewer } => {
+            let base = a.as_dvec3();
+            certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, toward_viewer.as_dvec3())
+        }
     }
 }
 
-#[inline]
-fn turn_along(direction: Vec3, a: Vec3, b: Vec3, c: Vec3) -> f64 {
+/// [`turn`] by exact arithmetic.
+#[cold]
+pub(crate) fn exact_turn(viewpoint: &Viewpoint, a: Vec3, b: Vec3, c: Vec3) -> f64 {
+    match *viewpoint {
+        Viewpoint::Perspective { eye } => exact_orientation(a, b, c, eye),
+        Viewpoint::Orthographic { toward_viewer } => exact_turn_along(toward_viewer, a, b, c),
+    }
+}
+
+fn exact_turn_along(direction: Vec3, a: Vec3, b: Vec3, c: Vec3) -> f64 {
     if a == b || a == c || b == c {
         return 0.0;
     }
-    let base = a.as_dvec3();
-    certain_triple(b.as_dvec3() - base, c.as_dvec3() - base, direction.as_dvec3())
-        .unwrap_or_else(|| exact_turn_along(direction, a, b, c))
-}
-
-#[cold]
-fn exact_turn_along(direction: Vec3, a: Vec3, b: Vec3, c: Vec3) -> f64 {
     let sides = [[a, b, direction], [b, c, direction], [c, a, direction]];
     sum_of_products(sides.into_iter().flat_map(|corners| determinant(1.0, corners)))
 }

@@ -25,8 +25,8 @@ use crate::sweep::{Far, Harvest, Near, Sweep, share_among_threads};
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops,
-    Topology, TriangleMesh, Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceId, FacingRule, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges,
+    SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -45,8 +45,10 @@ pub struct ClusterCones {
     /// Patches that this view leaves, and the tree's scratch.
     mixed: Vec<u32>,
     queue: Vec<u32>,
-    /// One a task.
+    /// One per task.
     harvests: Vec<Harvest>,
+    /// Tasks of the last view.
+    tasks: usize,
     order: EdgeOrder,
     topology: Arc<Topology>,
     loops: LoopScratch,
@@ -85,6 +87,7 @@ impl Method for ClusterCones {
             mixed: Vec::new(),
             queue: Vec::new(),
             harvests,
+            tasks: 0,
             order,
             topology,
             loops: LoopScratch::default(),
@@ -101,11 +104,12 @@ impl Method for ClusterCones {
     }
 }
 
-impl ExtractsEdges for ClusterCones {
-    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
+impl ClusterCones {
+    /// [`extract_edges`](ExtractsEdges::extract_edges) by any rule of facing: what no filter is certain of is left to it.
+    pub fn extract_edges_by(&mut self, rule: &impl FacingRule, out: &mut SilhouetteEdges) -> ExtractionStats {
         let planes = &self.patches.planes;
-        let sweep = Sweep::new(&self.mesh, &self.patches.layout, planes, viewpoint);
-        let nodes_visited = self.tree.mixed_patches(viewpoint, planes.frame(), &mut self.queue, &mut self.mixed);
+        let sweep = Sweep::new(&self.mesh, &self.patches.layout, planes, rule);
+        let nodes_visited = self.tree.mixed_patches(rule.viewpoint(), planes.frame(), &mut self.queue, &mut self.mixed);
         let is_far = self.patches.len() > PATCHES_NEAR;
         let tasks = self.mixed.len().div_ceil(PATCHES_PER_TASK);
         let harvests = &mut self.harvests[..tasks];
@@ -117,7 +121,20 @@ impl ExtractsEdges for ClusterCones {
         let mut stats = ExtractionStats { nodes_visited, ..ExtractionStats::default() };
         harvests.iter().for_each(|harvest| harvest.add_to(&mut stats));
         self.order.sort(harvests.iter().map(Harvest::edges), out);
+        self.tasks = tasks;
         stats
+    }
+
+    /// Faces of the last view that were left to exact arithmetic, in any order; those seen edge-on are among them, but for
+    /// faces without area.
+    pub fn doubtful_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.harvests[..self.tasks].iter().flat_map(|harvest| harvest.doubtful().iter().copied().map(FaceId::new))
+    }
+}
+
+impl ExtractsEdges for ClusterCones {
+    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
+        self.extract_edges_by(viewpoint, out)
     }
 }
 

@@ -5,20 +5,20 @@ use crate::patches::planes::PlaneTest;
 use crate::patches::{PAIRS, PatchLayout, PatchPlanes};
 use pulp::Arch;
 use rayon::prelude::*;
-use silhouette_core::facing::{Facing, judge};
+use silhouette_core::TriangleMesh;
+use silhouette_core::facing::{Facing, FacingRule};
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractionStats;
-use silhouette_core::{TriangleMesh, Viewpoint};
 use std::ops::Range;
 
 /// One view of a patched mesh.
 #[derive(Clone, Copy)]
-pub(crate) struct Sweep<'a> {
+pub(crate) struct Sweep<'a, R> {
     pub(crate) layout: &'a PatchLayout,
     pub(crate) planes: &'a PatchPlanes,
     pub(crate) triangles: &'a [[u32; 3]],
     pub(crate) positions: &'a [Vec3],
-    pub(crate) viewpoint: Viewpoint,
+    pub(crate) rule: &'a R,
     pub(crate) test: PlaneTest,
     arch: Arch,
 }
@@ -33,12 +33,20 @@ pub(crate) struct Harvest {
     /// Patches that wait for exact facings, and what is open about them.
     open_patches: Vec<OpenPatch>,
     doubts: Vec<Doubt>,
+    /// Faces that were left to exact arithmetic.
+    doubtful: Vec<u32>,
 }
 
 impl Harvest {
     pub(crate) fn clear(&mut self) {
         self.len = 0;
         self.stats = ExtractionStats::default();
+        self.doubtful.clear();
+    }
+
+    /// Faces that were left to exact arithmetic, in any order.
+    pub(crate) fn doubtful(&self) -> &[u32] {
+        &self.doubtful
     }
 
     /// Silhouette edges in any order, a non-manifold one possibly several times.
@@ -57,6 +65,7 @@ impl Harvest {
         size_of_val(self.edges.as_slice())
             + size_of_val(self.open_patches.as_slice())
             + size_of_val(self.doubts.as_slice())
+            + size_of_val(self.doubtful.as_slice())
     }
 }
 
@@ -75,21 +84,16 @@ pub(crate) fn share_among_threads(harvests: &mut [Harvest], work: impl Fn(usize,
     }
 }
 
-impl<'a> Sweep<'a> {
+impl<'a, R: FacingRule> Sweep<'a, R> {
     /// A view of the mesh where it was when its patches were built.
-    pub(crate) fn new(
-        mesh: &'a TriangleMesh,
-        layout: &'a PatchLayout,
-        planes: &'a PatchPlanes,
-        viewpoint: &Viewpoint,
-    ) -> Self {
+    pub(crate) fn new(mesh: &'a TriangleMesh, layout: &'a PatchLayout, planes: &'a PatchPlanes, rule: &'a R) -> Self {
         Self {
             layout,
             planes,
             triangles: mesh.triangles(),
             positions: mesh.positions(),
-            viewpoint: *viewpoint,
-            test: PlaneTest::new(viewpoint, planes.frame()),
+            rule,
+            test: PlaneTest::new(rule.viewpoint(), planes.frame()),
             arch: Arch::new(),
         }
     }
@@ -144,9 +148,10 @@ struct OpenPatch {
     unsure: u64,
 }
 
-/// One lane of an open patch with its face's vertices; before they are looked up, the face three times.
+/// One lane of an open patch with its face's vertices, once they are looked up.
 #[derive(Debug, Clone, Copy)]
 struct Doubt {
+    face: u32,
     triangle: [u32; 3],
     /// Index of the open patch.
     index: usize,
@@ -212,13 +217,13 @@ const PLANES_AHEAD: usize = 12;
 const EDGES_AHEAD: usize = 6;
 
 /// One pass over patches.
-struct Visit<'a, P> {
-    sweep: &'a Sweep<'a>,
+struct Visit<'a, R, P> {
+    sweep: &'a Sweep<'a, R>,
     patches: P,
     harvest: &'a mut Harvest,
 }
 
-impl<P: PatchList> KernelTask for Visit<'_, P> {
+impl<R: FacingRule, P: PatchList> KernelTask for Visit<'_, R, P> {
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) {
         let Self { sweep, patches, harvest } = self;
@@ -246,7 +251,7 @@ impl<P: PatchList> KernelTask for Visit<'_, P> {
     }
 }
 
-impl Sweep<'_> {
+impl<R: FacingRule> Sweep<'_, R> {
     #[inline(always)]
     fn prefetch_planes<K: Kernel>(&self, kernel: K, patch: usize) {
         for [xy, zd] in self.planes.blocks[patch].groups() {
@@ -270,33 +275,36 @@ impl Sweep<'_> {
 /// Decides the lanes that the 16-bit test left open, and then the edges of their patches. In stages over all of them:
 /// within a stage no step waits for another, so that cache misses overlap; one by one they were a third of the time on ten
 /// million faces.
-struct Settle<'a> {
-    sweep: &'a Sweep<'a>,
+struct Settle<'a, R> {
+    sweep: &'a Sweep<'a, R>,
     harvest: &'a mut Harvest,
 }
 
-impl KernelTask for Settle<'_> {
+impl<R: FacingRule> KernelTask for Settle<'_, R> {
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) {
         let Self { sweep, harvest } = self;
-        let Harvest { open_patches, doubts, stats, .. } = &mut *harvest;
+        let Harvest { open_patches, doubts, doubtful, stats, .. } = &mut *harvest;
         doubts.clear();
         for (index, &OpenPatch { patch, mut unsure, .. }) in open_patches.iter().enumerate() {
             while unsure != 0 {
                 let lane = unsure.trailing_zeros();
                 unsure &= unsure - 1;
                 let face = sweep.layout.lanes(patch)[lane as usize];
-                doubts.push(Doubt { triangle: [face; 3], index, lane });
+                doubts.push(Doubt { face, triangle: [0; 3], index, lane });
             }
         }
         for doubt in &mut *doubts {
-            doubt.triangle = sweep.triangles[doubt.triangle[0] as usize];
+            doubt.triangle = sweep.triangles[doubt.face as usize];
             doubt.triangle.iter().for_each(|&vertex| kernel.prefetch(&sweep.positions[vertex as usize]));
         }
-        for &Doubt { triangle, index, lane } in &*doubts {
-            let judgement = judge(triangle.map(|vertex| sweep.positions[vertex as usize]), &sweep.viewpoint);
+        for &Doubt { face, triangle, index, lane } in &*doubts {
+            let judgement = sweep.rule.judge(triangle.map(|vertex| sweep.positions[vertex as usize]));
             open_patches[index].facings |= u64::from(judgement.facing == Facing::Front) << lane;
             stats.exact_fallbacks += u64::from(judgement.exact_fallback);
+            if judgement.exact_fallback {
+                doubtful.push(face);
+            }
         }
         stats.faces_tested += doubts.len() as u64;
         for index in 0..harvest.open_patches.len() {
@@ -310,7 +318,7 @@ impl KernelTask for Settle<'_> {
 mod tests {
     use super::*;
     use crate::patches::FacePatches;
-    use silhouette_core::{NoProgress, Topology, shapes};
+    use silhouette_core::{NoProgress, Topology, Viewpoint, shapes};
 
     #[test]
     fn asking_ahead_changes_nothing() {

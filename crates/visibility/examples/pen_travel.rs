@@ -6,7 +6,7 @@ use silhouette_core::glam::{DVec2, Vec3};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{EdgeId, NoProgress};
 use silhouette_visibility::plot::{Length, PlotOptions, plot};
-use silhouette_visibility::{Chain, ChainStyle, Chains, LineKind, LineStats, Lines, SegmentSource};
+use silhouette_visibility::{Chain, ChainStyle, Chains, LineKind, LineStats, Lines, Outline, SegmentSource};
 use std::error::Error;
 use std::io::Write;
 
@@ -53,7 +53,7 @@ fn strokes(count: usize, reach: f64) -> Result<Lines, Box<dyn Error>> {
             handles: &[],
         });
     }
-    Ok(Lines { camera, chains, outline: Vec::new(), stats: LineStats::default() })
+    Ok(Lines { camera, chains, outline: Outline::default(), stats: LineStats::default() })
 }
 
 /// The same numbers in every run: a linear congruential generator, of which the upper bits are taken.

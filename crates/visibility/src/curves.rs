@@ -75,7 +75,6 @@ pub fn push_strokes(scene: &LineScene, frame: &PictureFrame, first_id: u32, stro
                     source: SegmentSource::Curve(piece),
                     kind: LineKind::Curve,
                     object: curve.object,
-                    side: 1,
                     own: 0..0,
                 };
                 strokes.push_curve(stroke, curve.on_faces.iter().copied(), CurvePart { piece, range });

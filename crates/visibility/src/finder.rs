@@ -1,34 +1,38 @@
 //! [`LineFinder`]: the steps in order.
 
 use crate::clear_edges::ClearEdges;
-use crate::contours::{Contour, ContourFinder, EDGES_PER_TASK, UnpairedEdges, faces_at_eye};
+use crate::contours::EDGES_PER_TASK;
 use crate::curves::push_strokes;
-use crate::cutter::StrokeCutter;
+use crate::cut::{Cutter, PictureEdge, picture_edges};
 use crate::decide::{Decided, decide};
-use crate::events::Depth;
 use crate::face_tree::FaceTree;
 use crate::frame::PictureFrame;
 use crate::intersections::FaceIntersections;
 use crate::join::join;
 use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
-use crate::outline::outermost_outline;
+use crate::outline::{Outline, outline};
 use crate::picture_grid::PictureGrid;
 use crate::scene::LineScene;
 use crate::select::{Selector, push_intersections};
 use crate::sight::Sight;
 use crate::stroke::Stroke;
+use crate::unpaired::UnpairedEdges;
 use crate::vertex_faces::VertexFaces;
+use crate::viewed_mesh::ViewedMesh;
 use rayon::prelude::*;
+use silhouette_core::glam::Vec3;
 use silhouette_core::method::PrepareError;
-use silhouette_core::{Camera, Cancelled, Progress, Topology};
+use silhouette_core::{Camera, Cancelled, DisplacedViewer, Progress, Topology, Viewpoint};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Most work that one view may take, in pairs of an edge and a contour that pass the same cell of the picture; what costs more
-/// counts for more. Some ten seconds on one core; where all of it is exact tests, 6 s and 0.9 GB were measured. A picture that
-/// takes more is a tangle that no line drawing shows.
+/// Most work that one view may take, in pairs of edges that pass the same cell of the picture; what costs more counts for
+/// more. Some ten seconds on one core. A picture that takes more is a tangle that no line drawing shows.
 pub const MAX_WORK: u64 = 2_000_000_000;
+
+/// Most places in one view where invisibility may change, beyond eight per stroke.
+pub const MAX_EVENTS: u64 = 2_000_000;
 
 /// Why there are no lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -51,6 +55,8 @@ pub struct LineFinder {
     vertex_faces: Arc<VertexFaces>,
     /// Largest absolute coordinate.
     reach: f64,
+    /// The middle of the scene, towards which viewers are displaced.
+    center: Vec3,
     selector: Selector,
     clear_edges: ClearEdges,
 }
@@ -72,13 +78,14 @@ impl LineFinder {
         let (topology, tree) = (topology?, tree?);
         let (unpaired, vertex_faces) = (mesh.artefact(NAME, progress)?, mesh.artefact(NAME, progress)?);
         let edge_count = Topology::edge_count(&topology);
-        let reach = scene.reach();
+        let (reach, center) = (scene.reach(), scene.center());
         Ok(Self {
             topology,
             tree,
             unpaired,
             vertex_faces,
             reach,
+            center,
             selector: Selector::default(),
             clear_edges: ClearEdges::new(edge_count),
             scene,
@@ -113,17 +120,25 @@ impl LineFinder {
         options: &LineOptions,
         progress: &dyn Progress,
     ) -> Result<Lines, LineError> {
+        // Into the pool once, not for each of a dozen parallel loops, some of which take less than changing threads.
+        rayon::scope(|_| self.find_in_pool(camera, options, progress))
+    }
+
+    fn find_in_pool(
+        &mut self,
+        camera: &Camera,
+        options: &LineOptions,
+        progress: &dyn Progress,
+    ) -> Result<Lines, LineError> {
         let mut stats = LineStats::default();
         let started = Instant::now();
         progress.check()?;
         let viewpoint = camera.viewpoint();
-        let mesh = self.scene.mesh().mesh();
-        let at_eye = faces_at_eye(mesh, &self.tree, &viewpoint);
-        let finder =
-            ContourFinder { mesh, topology: &self.topology, unpaired: &self.unpaired, viewpoint, at_eye: &at_eye };
-        self.selector.find_silhouette(mesh, &self.topology, &viewpoint);
-        let contours = finder.find(self.selector.silhouette());
-        let mut strokes = self.selector.strokes(&self.scene, &finder, &contours, options);
+        let (mesh, viewer) = (self.scene.mesh().mesh(), DisplacedViewer::new(viewpoint, self.center));
+        let view = ViewedMesh { mesh, topology: &self.topology, unpaired: &self.unpaired, viewer };
+        self.selector.find_silhouette(mesh, &self.topology, &viewer);
+        let contours = view.contours(self.selector.silhouette());
+        let mut strokes = self.selector.strokes(&self.scene, &view, &contours, options);
         let frame = PictureFrame::new(camera, self.reach);
         let mut first_id = mesh.vertex_count() as u32;
         if options.intersection {
@@ -133,39 +148,34 @@ impl LineFinder {
         if options.curves {
             push_strokes(&self.scene, &frame, first_id, &mut strokes);
         }
+        let edges = picture_edges(&strokes, &contours);
         stats.extract = started.elapsed();
 
         let started = Instant::now();
         progress.check()?;
-        let clip_contour = |contour: &Contour| frame.clip(contour.ends, 1.0);
-        // An edge seen end on has no place in the picture but a point.
-        let clip_stroke = |stroke: &Stroke| {
-            let clipped = frame.clip_drawn(stroke.ends, 0.0);
-            clipped.filter(|edge| edge.length_px() > END_ON_PX || !stroke.is_seen_end_on(&viewpoint))
-        };
-        let clipped_contours: Vec<_> = contours.par_iter().with_min_len(EDGES_PER_TASK).map(clip_contour).collect();
-        let (grid, clipped): (_, Vec<_>) = rayon::join(
-            || PictureGrid::new(&frame, &clipped_contours),
-            || strokes.strokes.par_iter().with_min_len(EDGES_PER_TASK).map(clip_stroke).collect(),
+        let clip = |edge: &PictureEdge| frame.clip(edge.crossed.ends, 1.0);
+        let clipped: Vec<_> = edges.par_iter().with_min_len(EDGES_PER_TASK).map(clip).collect();
+        let drawn_range = |stroke: &Stroke| drawn_range(&frame, &viewpoint, stroke);
+        let (grid, drawn): (_, Vec<_>) = rayon::join(
+            || PictureGrid::new(&frame, &clipped, |index| edges[index].contour.is_some()),
+            || strokes.strokes.par_iter().with_min_len(EDGES_PER_TASK).map(drawn_range).collect(),
         );
         stats.project = started.elapsed();
 
         let started = Instant::now();
-        let sight = Sight { mesh, tree: &self.tree, viewpoint, depth: Depth::Nearer };
-        let cutter = StrokeCutter {
+        let sight = Sight { view, tree: &self.tree };
+        let cutter = Cutter {
             strokes: &strokes,
-            contours: &contours,
-            clipped_contours: &clipped_contours,
+            edges: &edges,
+            clipped: &clipped,
+            drawn: &drawn,
             grid: &grid,
-            finder,
             sight,
             clear_edges: &self.clear_edges,
-            depth: Depth::Nearer,
         };
-        let Decided { mut pieces, stats: counted, sight_lines } =
-            decide(&cutter, &self.vertex_faces, &clipped, progress)?;
+        let Decided { pieces, stats: counted, sight_lines } =
+            decide(&cutter, &self.vertex_faces, options.max_invisibility, progress)?;
         stats.pieces = pieces.len() as u64;
-        pieces.retain(|piece| piece.layers.invisibility() <= options.max_invisibility);
         stats.decide = started.elapsed();
 
         let started = Instant::now();
@@ -175,12 +185,33 @@ impl LineFinder {
         stats.contours = contours.len() as u64;
         (stats.pairs, stats.events, stats.sight_lines) = (counted.pairs, counted.events, sight_lines);
         let started = Instant::now();
-        let mut outline = Vec::new();
-        if options.outline {
-            let cutter = StrokeCutter { depth: Depth::Any, sight: Sight { depth: Depth::Any, ..sight }, ..cutter };
-            outline = outermost_outline(&cutter, &frame, &self.vertex_faces, progress)?;
-        }
+        let outline = if options.outline { outline(&contours, &frame, progress)? } else { Outline::default() };
         stats.outline = started.elapsed();
         Ok(Lines { camera: *camera, chains, outline, stats })
     }
+
+    /// The outline of a view: the boundary of the union of all projected faces. It is followed eight pictures beyond the
+    /// picture on each side.
+    ///
+    /// For S silhouette edges and K crossings of those near the outline: O(F + S log S + K log K), or less than O(F) for a
+    /// finder that was prepared for many views.
+    ///
+    /// # Errors
+    /// [`LineError`].
+    pub fn outline(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Outline, LineError> {
+        progress.check()?;
+        rayon::scope(|_| {
+            let (mesh, viewer) = (self.scene.mesh().mesh(), DisplacedViewer::new(camera.viewpoint(), self.center));
+            let view = ViewedMesh { mesh, topology: &self.topology, unpaired: &self.unpaired, viewer };
+            self.selector.find_silhouette(mesh, &self.topology, &viewer);
+            let contours = view.contours(self.selector.silhouette());
+            outline(&contours, &PictureFrame::new(camera, self.reach), progress)
+        })
+    }
+}
+
+/// What is drawn of a stroke: nothing of one that is seen end on, which has no place in the picture but a point.
+fn drawn_range(frame: &PictureFrame, viewpoint: &Viewpoint, stroke: &Stroke) -> Option<[f64; 2]> {
+    let clipped = frame.clip_drawn(stroke.ends, 0.0)?;
+    (clipped.length_px() > END_ON_PX || !stroke.is_seen_end_on(viewpoint)).then_some(clipped.range)
 }

@@ -1,6 +1,5 @@
 //! [`PictureFrame`]: points and edges of a scene in homogeneous pixels, clipped before they are divided.
 
-use crate::events::Depth;
 use silhouette_core::Camera;
 use silhouette_core::glam::{DVec2, DVec3, DVec4, Vec3};
 use silhouette_core::view::Projection;
@@ -42,29 +41,17 @@ impl ClippedEdge {
         self.pixels[0].distance(self.pixels[1])
     }
 
-    /// Whether `contour` may pass this edge or its ends within `reach_px`, at a depth that counts. Errs to the safe side.
-    pub fn may_meet(&self, contour: &Self, reach_px: f64, depth: Depth) -> bool {
-        let reach = self.doubt_px + contour.doubt_px + reach_px;
-        if depth == Depth::Nearer && contour.depths[0] > self.depths[1] {
-            return false;
-        }
-        let ([a, b], [p, q]) = (self.pixels, contour.pixels);
-        let apart = (a.min(b) - p.max(q)).max(p.min(q) - a.max(b));
-        let certainly_apart =
-            apart.max_element() > reach || beside([a, b], [p, q], reach) || beside([p, q], [a, b], reach);
-        !certainly_apart
-    }
-
-    /// Distance of a pixel from it; NaN where the edge passes through the eye.
-    pub fn distance_px(&self, pixel: DVec2) -> f64 {
-        let [from, to] = self.pixels;
-        let along = to - from;
-        let share = ((pixel - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        pixel.distance(if share.is_nan() { from } else { from.lerp(to, share) })
+    /// Whether another edge may cross this one in the picture. Errs to the safe side.
+    #[inline]
+    pub fn may_cross(&self, other: &Self) -> bool {
+        let reach = self.doubt_px + other.doubt_px;
+        let ([a, b], [p, q]) = (self.pixels, other.pixels);
+        !(beside([a, b], [p, q], reach) || beside([p, q], [a, b], reach))
     }
 }
 
 /// Whether both points lie farther than `reach` on one side of the line through two others. Never for what is not finite.
+#[inline]
 fn beside([a, b]: [DVec2; 2], points: [DVec2; 2], reach: f64) -> bool {
     let along = b - a;
     let [p, q] = points.map(|point| along.perp_dot(point - a));
@@ -126,19 +113,21 @@ impl PictureFrame {
     pub fn clip_drawn(&self, ends: [Vec3; 2], margin_px: f64) -> Option<ClippedEdge> {
         let is_perspective = self.rows[2].truncate() != DVec3::ZERO;
         let least_w = self.error * (1.0 + self.size.max_element()) / DRAWN_DOUBT_PX;
-        self.clip_beyond(ends, margin_px, if is_perspective { least_w } else { 0.0 })
+        self.clip_beyond(ends, margin_px, 0.0, if is_perspective { least_w } else { 0.0 })
     }
 
-    /// The part of the edge inside the picture, grown by `margin_px` on each side; `None` where there is none. O(1).
+    /// The part of an edge that may be seen inside the picture, grown by `margin_px` on each side; `None` where there is
+    /// certainly none. An edge that may pass through the eye may be seen anywhere. O(1).
     pub fn clip(&self, ends: [Vec3; 2], margin_px: f64) -> Option<ClippedEdge> {
-        self.clip_beyond(ends, margin_px, 0.0)
+        self.clip_beyond(ends, margin_px, self.error * (2.0 + margin_px + self.size.max_element()), 0.0)
     }
 
-    fn clip_beyond(&self, ends: [Vec3; 2], margin_px: f64, least_w: f64) -> Option<ClippedEdge> {
+    /// The part beyond planes that are moved outwards by `slack`.
+    fn clip_beyond(&self, ends: [Vec3; 2], margin_px: f64, slack: f64, least_w: f64) -> Option<ClippedEdge> {
         let [a, b] = ends.map(|end| self.map(end.as_dvec3()));
         let inside = |p: Homogeneous| {
             let (low, high) = (p.scaled_pixel + margin_px * p.w, (self.size + margin_px) * p.w - p.scaled_pixel);
-            [low.x, low.y, high.x, high.y, p.w - least_w]
+            [low.x + slack, low.y + slack, high.x + slack, high.y + slack, p.w - least_w + slack]
         };
         let mut range = [0.0_f64, 1.0];
         for (at_a, at_b) in inside(a).into_iter().zip(inside(b)) {

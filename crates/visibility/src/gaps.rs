@@ -2,10 +2,10 @@
 //!
 //! Events closer together than their rounding errors form one cut; their changes, being whole numbers, add up in any order.
 //! Between cuts are gaps, each with one number of layers in front of it. Gaps between which the change is known form a
-//! *span*: told the layers of one, all are known.
+//! *span*: once the layers of one are known, all are.
 
-use crate::contours::Layers;
-use crate::events::Event;
+use crate::crossing::Event;
+use crate::layers::Layers;
 use std::ops::Range;
 
 /// A stretch of a stroke without events.
@@ -17,8 +17,6 @@ pub struct Gap {
     pub offset: Layers,
     /// Whether it begins another span than the gap before it.
     pub begins_span: bool,
-    /// The contour at which it begins, by its index, where it is one alone.
-    pub crossed: Option<u32>,
 }
 
 impl Gap {
@@ -28,41 +26,35 @@ impl Gap {
     }
 }
 
-/// Orders the events of a stroke that is drawn from `range[0]` to `range[1]`, and appends the gaps between them.
+/// Orders the events of a stroke that is drawn from `range[0]` to `range[1]`, and appends the gaps between them. The first
+/// gap lies before all events, even if it is empty: at a vertex, it holds what is in front of the stroke right there.
 /// O(events log events).
-pub fn part(range: [f64; 2], events: &mut Vec<Event>, gaps: &mut Vec<Gap>) {
-    events.retain(|event| event.t + event.doubt > range[0] && event.t - event.doubt < range[1]);
-    events.sort_unstable_by(|one, other| one.t.total_cmp(&other.t).then(one.contour.cmp(&other.contour)));
-    let mut gap = Gap { range, offset: Layers::default(), begins_span: true, crossed: None };
-    let mut rest = &events[..];
-    while let Some((first, _)) = rest.split_first() {
+pub fn part(range: [f64; 2], events: &mut [Event], gaps: &mut Vec<Gap>) {
+    let mut gap = Gap { range, offset: Layers::NONE, begins_span: true };
+    if events.is_empty() {
+        gaps.push(gap);
+        return;
+    }
+    events.sort_unstable_by(|one, other| one.t.total_cmp(&other.t));
+    let is_inside = |event: &&Event| event.t + event.doubt > range[0] && event.t - event.doubt < range[1];
+    let mut rest = events.iter().filter(is_inside).peekable();
+    while let Some(first) = rest.next() {
         let mut end = first.t + first.doubt;
-        let count = 1 + rest[1..]
-            .iter()
-            .take_while(|event| {
-                let joins = event.t - event.doubt <= end;
-                end = if joins { end.max(event.t + event.doubt) } else { end };
-                joins
-            })
-            .count();
-        let (cut, others) = rest.split_at(count);
+        let mut change = first.change;
+        while let Some(event) = rest.next_if(|event| event.t - event.doubt <= end) {
+            end = end.max(event.t + event.doubt);
+            change = change.zip(event.change).map(|(mut sum, more)| {
+                sum.add(more, 1);
+                sum
+            });
+        }
         gap.range[1] = first.t - first.doubt;
         gaps.push(gap);
-        let change = cut.iter().try_fold(Layers::default(), |mut sum, event| {
-            sum.add(event.change?, 1);
-            Some(sum)
-        });
         match change {
             Some(change) => gap.offset.add(change, 1),
-            None => gap.offset = Layers::default(),
+            None => gap.offset = Layers::NONE,
         }
-        gap = Gap {
-            range: [end, range[1]],
-            offset: gap.offset,
-            begins_span: change.is_none(),
-            crossed: if count == 1 { first.contour } else { None },
-        };
-        rest = others;
+        gap = Gap { range: [end, range[1]], offset: gap.offset, begins_span: change.is_none() };
     }
     gaps.push(gap);
 }
@@ -89,7 +81,7 @@ mod tests {
 
     fn event(t: f64, change: Option<i32>) -> Event {
         let change = change.map(|front| Layers { front, back: 0 });
-        Event { t, doubt: 1e-6, change, contour: Some((t * 10.0) as u32) }
+        Event { t, doubt: 1e-6, change }
     }
 
     #[test]
@@ -106,14 +98,13 @@ mod tests {
         let offsets: Vec<i32> = gaps.iter().map(|gap| gap.offset.front).collect();
         assert_eq!(offsets, [0, 1, 0, -1]);
         assert_eq!(spans(&gaps).collect::<Vec<_>>(), [0..2, 2..4]);
-        assert_eq!(gaps.iter().map(|gap| gap.crossed).collect::<Vec<_>>(), [None, None, Some(5), Some(7)]);
         assert!((gaps[1].range[0] - 0.3 - 1e-6).abs() < 2e-7 && (gaps[1].range[1] - 0.5).abs() < 2e-6);
     }
 
     #[test]
     fn a_stroke_without_events_is_one_gap() {
         let mut gaps = Vec::new();
-        part([0.0, 1.0], &mut Vec::new(), &mut gaps);
+        part([0.0, 1.0], &mut [], &mut gaps);
         assert_eq!(gaps.len(), 1);
         assert_eq!((gaps[0].range, gaps[0].begins_span), ([0.0, 1.0], true));
     }

@@ -4,9 +4,8 @@
 //! other, or they share a vertex: two of these make a segment. Which edges pass through which faces is decided exactly; the ends of a segment are rounded to `f32`.
 //! Faces that overlap in one plane have no line of intersection.
 
-use crate::contours::holds;
-use crate::events::passage;
 use crate::face_tree::FaceTree;
+use crate::piercing::{holds, passage};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
 use silhouette_core::orientation::orientation;

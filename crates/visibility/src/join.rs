@@ -57,7 +57,7 @@ pub fn join(scene: &LineScene, strokes: &Strokes, pieces: &[Piece], frame: &Pict
 
 fn place(scene: &LineScene, strokes: &Strokes, piece: &Piece, frame: &PictureFrame) -> Placed {
     let stroke = &strokes.strokes[piece.stroke as usize];
-    let style = ChainStyle { kind: stroke.kind, invisibility: piece.layers.invisibility(), object: stroke.object };
+    let style = ChainStyle { kind: stroke.kind, invisibility: piece.invisibility, object: stroke.object };
     let part = strokes.curve_part(piece.stroke as usize);
     let curve = part.map(|part| (&scene.curves()[part.piece as usize], piece.range.map(|t| part.parameter(t))));
     let points = match curve {

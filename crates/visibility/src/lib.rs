@@ -41,26 +41,30 @@
 //! Where lines are wanted as geometry: plots, technical drawings, a truth to measure pictures against. Drawing from a depth or
 //! id buffer is faster on a GPU and wrong within about a pixel of what occludes.
 
+mod around_vertex;
 mod cache;
 mod chains;
 mod clear_edges;
 mod contours;
+mod crossing;
 mod curves;
-mod cutter;
+mod cut;
 mod decide;
-mod events;
 mod face_tree;
+mod feature_edges;
 mod finder;
 mod frame;
 mod gaps;
 mod intersections;
 mod join;
 mod kind;
+mod layers;
 mod lines;
 mod options;
 mod outline;
 mod picture_grid;
 mod pieces;
+mod piercing;
 pub mod plot;
 mod propagate;
 mod quick;
@@ -68,17 +72,21 @@ mod scene;
 mod select;
 mod sight;
 mod stroke;
+mod surface;
+mod unpaired;
 mod vertex_faces;
+mod viewed_mesh;
 
 pub use cache::LineCache;
 pub use chains::{Chain, ChainStyle, Chains, SegmentSource};
-pub use contours::UnpairedEdges;
 pub use face_tree::FaceTree;
-pub use finder::{LineError, LineFinder, MAX_WORK};
+pub use finder::{LineError, LineFinder, MAX_EVENTS, MAX_WORK};
 pub use intersections::{FaceIntersections, Intersection, IntersectionEnd};
 pub use kind::LineKind;
 pub use lines::{LineStats, Lines};
 pub use options::LineOptions;
+pub use outline::Outline;
 pub use quick::{FaceIds, FaceIdsError, QuickLineFinder};
 pub use scene::{CurvePiece, LineScene, SceneError};
+pub use unpaired::UnpairedEdges;
 pub use vertex_faces::{VertexFace, VertexFaces};

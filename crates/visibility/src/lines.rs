@@ -1,8 +1,8 @@
 //! [`Lines`]: what is found in one view.
 
 use crate::chains::Chains;
+use crate::outline::Outline;
 use silhouette_core::Camera;
-use silhouette_core::glam::DVec2;
 use std::time::Duration;
 
 /// The lines of one view.
@@ -12,8 +12,8 @@ pub struct Lines {
     pub camera: Camera,
     /// The lines, ordered by kind, invisibility and object.
     pub chains: Chains,
-    /// The outermost outline as closed polygons in pixels, to be filled by the even-odd rule; empty unless asked for.
-    pub outline: Vec<Vec<DVec2>>,
+    /// The outline; empty unless asked for.
+    pub outline: Outline,
     /// What it cost.
     pub stats: LineStats,
 }

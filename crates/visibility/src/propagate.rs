@@ -1,18 +1,20 @@
-//! Step 7: layers told from stroke to stroke, so that few sight lines need to be cast.
+//! Step 7: layers propagated from stroke to stroke, so that few sight lines need to be cast.
 //!
 //! Near a vertex, the layers in front of a stroke are those of the faces around the vertex, which are looked at one by one,
-//! and those of all others, which are the same for every stroke that ends there, unless a contour or a face touches just that
-//! point. So spans that meet in a vertex know each other's layers up to a difference. Sets of such spans are formed by union
+//! and those of all others, which are the same for every stroke that ends there, unless a face touches the vertex in space. So
+//! spans that meet in a vertex know each other's layers up to a difference. Sets of such spans are formed by union
 //! and find, each span holding its difference to the set's first; one sight line in the longest gap of a set then decides
-//! it. Where two ways around lead to different sums (which exact decisions exclude, but rounding in the picture of what
-//! touches a vertex might not), the set's spans are decided one by one.
+//! it. Exact decisions exclude that two ways around lead to different sums; should they all the same, the set's spans are
+//! decided one by one.
 //!
-//! Appel 1967 ("The notion of quantitative invisibility", ACM National Conference) tells invisibility along lines and from
-//! line to line; the difference at a vertex is his "local" change, here decided by exact predicates for any fan of faces.
+//! Appel 1967 ("The notion of quantitative invisibility", ACM National Conference) propagates invisibility along lines and
+//! from line to line; the difference at a vertex is his "local" change, here decided by exact predicates for any fan of
+//! faces.
 
-use crate::contours::Layers;
+use crate::cut::{CutStroke, Cuts};
 use crate::finder::LineError;
 use crate::gaps::{Gap, spans};
+use crate::layers::Layers;
 use crate::sight::Sight;
 use crate::stroke::Strokes;
 use crate::vertex_faces::VertexFaces;
@@ -27,7 +29,7 @@ const MAX_SIGHT_FACES: u64 = 200_000_000;
 /// Seeds that a task takes: some 0.05 ms of work.
 const SEEDS_PER_TASK: usize = 16;
 
-/// Strokes times faces at a vertex up to which the strokes tell each other their layers.
+/// Strokes times faces at a vertex up to which layers are propagated across it.
 const MOST_AT_A_VERTEX: usize = 1 << 16;
 
 /// Vertices that a task takes: some 0.05 ms of work.
@@ -35,19 +37,6 @@ const GROUPS_PER_TASK: usize = 64;
 
 /// Places in a gap at which a sight line is tried, as shares of its length, until one is certain.
 const TRIALS: [f64; 6] = [0.5, 0.381_966, 0.618_034, 0.723_607, 0.276_393, 0.145_898];
-
-/// The gaps of a stroke, and which of its ends something touches.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CutStroke {
-    /// The stroke, by its index.
-    pub stroke: u32,
-    /// Its gaps in the list of all gaps.
-    pub gaps: Range<usize>,
-    /// Parameters at the ends of what is drawn of it.
-    pub range: [f64; 2],
-    /// Whether a contour passes its ends in the picture, or a face touches them in space.
-    pub touched: [bool; 2],
-}
 
 /// A span of gaps: a node of the sets.
 struct Span {
@@ -80,17 +69,16 @@ impl Propagation<'_> {
     /// The layers in front of each gap, and the number of sight lines that were cast. Layers of an empty gap may mean
     /// nothing.
     ///
-    /// O(gaps + faces around the ends of strokes + log F a sight line), parallel.
+    /// O(gaps + faces around the ends of strokes + log F per sight line), parallel.
     ///
     /// # Errors
     /// [`LineError`].
     pub fn decide(
         &self,
-        cut: &[CutStroke],
-        gaps: &[Gap],
+        Cuts { strokes, gaps, .. }: &Cuts,
         progress: &dyn Progress,
     ) -> Result<(Vec<Layers>, u64), LineError> {
-        let (all_spans, ends) = self.spans_and_ends(cut, gaps);
+        let (all_spans, ends) = self.spans_and_ends(strokes, gaps);
         let mut sets = Sets::new(all_spans.len());
         for (one, other, difference) in self.differences(&ends) {
             sets.unite(one, other, difference);
@@ -113,12 +101,12 @@ impl Propagation<'_> {
         if faces.into_inner() > MAX_SIGHT_FACES {
             return Err(LineError::TooCrowded);
         }
-        let mut of_root = vec![Layers::default(); all_spans.len()];
+        let mut of_root = vec![Layers::NONE; all_spans.len()];
         for (seed, looked) in seeds.iter().zip(&seen) {
             of_root[seed.root as usize] = looked.layers;
             of_root[seed.root as usize].add(seed.offset, -1);
         }
-        let mut layers = vec![Layers::default(); gaps.len()];
+        let mut layers = vec![Layers::NONE; gaps.len()];
         for (index, span) in all_spans.iter().enumerate() {
             let (root, offset) = sets.root_for_decision(index as u32);
             for gap in span.gaps.clone() {
@@ -143,9 +131,9 @@ impl Propagation<'_> {
             let last = all_spans.len() - 1;
             let vertices = self.strokes.strokes[*stroke as usize].vertices;
             let reaches = [range[0] <= 0.0, range[1] >= 1.0];
-            let at_ends = [(first, Layers::default()), (last, of_stroke[of_stroke.len() - 1].offset)];
+            let at_ends = [(first, Layers::NONE), (last, of_stroke[of_stroke.len() - 1].offset)];
             for (end, (span, offset)) in at_ends.into_iter().enumerate() {
-                if reaches[end] && (vertices[end] as usize) < self.sight.mesh.vertex_count() {
+                if reaches[end] && (vertices[end] as usize) < self.sight.view.mesh.vertex_count() {
                     let (vertex, touched) = (vertices[end], touched[end]);
                     ends.push(StrokeEnd { vertex, stroke: *stroke, end, span: span as u32, offset, touched });
                 }
@@ -155,7 +143,8 @@ impl Propagation<'_> {
     }
 
     /// Spans that meet in a vertex, and the layers of the second's first gap beyond those of the first's. Where very many
-    /// strokes and faces meet, as at the apex of a fine cone, none are told, and each stroke has a line of sight of its own.
+    /// strokes and faces meet, as at the apex of a fine cone, nothing is propagated, and each stroke has a line of sight of its
+    /// own.
     fn differences(&self, ends: &[StrokeEnd]) -> Vec<(u32, u32, Layers)> {
         let mut order: Vec<(u32, u32)> = ends.iter().zip(0..).map(|(end, index)| (end.vertex, index)).collect();
         order.par_sort_unstable();
@@ -188,7 +177,7 @@ impl Propagation<'_> {
         let own = self.strokes.own_faces(stroke);
         let faces = self.vertex_faces.of(end.vertex);
         let mut rest = end.offset;
-        rest.add(self.sight.near_end(stroke, end.end, faces, |face| own.contains(&face)), -1);
+        rest.add(self.sight.layers_near_end(stroke, end.end, faces, |face| own.contains(&face)), -1);
         rest
     }
 
@@ -197,7 +186,7 @@ impl Propagation<'_> {
         let stroke = &self.strokes.strokes[all_spans[seed.span as usize].stroke as usize];
         let own: &[FaceId] = self.strokes.own_faces(stroke);
         let range = gaps[seed.gap].range;
-        let mut looked = Looked { layers: Layers::default(), sight_lines: 0, faces: 0 };
+        let mut looked = Looked { layers: Layers::NONE, sight_lines: 0, faces: 0 };
         for share in TRIALS {
             let t = range[0] + (range[1] - range[0]) * share;
             let seen = self.sight.look(stroke, t, |face| own.contains(&face));
@@ -256,14 +245,14 @@ struct Sets {
 impl Sets {
     fn new(count: usize) -> Self {
         Self {
-            parent: (0..count as u32).map(|index| (index, Layers::default())).collect(),
+            parent: (0..count as u32).map(|index| (index, Layers::NONE)).collect(),
             contradicted: vec![false; count],
         }
     }
 
     /// The root of a span's set, and the span's layers beyond those of the root.
     fn root(&mut self, span: u32) -> (u32, Layers) {
-        let (mut at, mut sum) = (span, Layers::default());
+        let (mut at, mut sum) = (span, Layers::NONE);
         while self.parent[at as usize].0 != at {
             // Halve the path: each span on it is hung to its grandparent.
             let (parent, mut offset) = self.parent[at as usize];
@@ -279,7 +268,7 @@ impl Sets {
     /// The same, each span of a contradicted set being a set of its own.
     fn root_for_decision(&mut self, span: u32) -> (u32, Layers) {
         let (root, offset) = self.root(span);
-        if self.contradicted[root as usize] { (span, Layers::default()) } else { (root, offset) }
+        if self.contradicted[root as usize] { (span, Layers::NONE) } else { (root, offset) }
     }
 
     /// Notes that `other` has `difference` more layers than `one`.
@@ -290,7 +279,7 @@ impl Sets {
         beyond.add(difference, 1);
         beyond.add(other_offset, -1);
         if root == other_root {
-            self.contradicted[root as usize] |= beyond != Layers::default();
+            self.contradicted[root as usize] |= beyond != Layers::NONE;
             return;
         }
         self.contradicted[root as usize] |= self.contradicted[other_root as usize];

@@ -11,19 +11,21 @@
 //! contour before them, which are drawn. On a fine mesh the silhouette is full of those. To ask that a face at the edge be seen
 //! would draw few of them, but miss half of what is visible, as the faces there are narrower than a pixel.
 
-use crate::contours::{ContourFinder, Layers, UnpairedEdges};
 use crate::finder::LineError;
 use crate::frame::{ClippedEdge, PictureFrame};
 use crate::join::join;
 use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
+use crate::outline::Outline;
 use crate::pieces::Piece;
 use crate::scene::LineScene;
 use crate::select::Selector;
 use crate::stroke::{Stroke, Strokes};
+use crate::unpaired::UnpairedEdges;
+use crate::viewed_mesh::ViewedMesh;
 use rayon::prelude::*;
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
-use silhouette_core::{Camera, Cancelled, FaceId, Progress, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{Camera, Cancelled, DisplacedViewer, FaceId, Progress, Topology, TriangleMesh, Viewpoint};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -83,6 +85,8 @@ pub struct QuickLineFinder {
     unpaired: Arc<UnpairedEdges>,
     /// Largest absolute coordinate.
     reach: f64,
+    /// The middle of the scene, towards which viewers are displaced.
+    center: Vec3,
     selector: Selector,
 }
 
@@ -93,8 +97,8 @@ impl QuickLineFinder {
     /// [`Cancelled`] when `progress` says so.
     pub fn new(scene: LineScene, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (topology, unpaired) = (scene.mesh().artefact(NAME, progress)?, scene.mesh().artefact(NAME, progress)?);
-        let reach = scene.reach();
-        Ok(Self { scene, topology, unpaired, reach, selector: Selector::default() })
+        let (reach, center) = (scene.reach(), scene.center());
+        Ok(Self { scene, topology, unpaired, reach, center, selector: Selector::default() })
     }
 
     /// The lines of a view whose face ids are `ids`: visible parts only, whatever invisibility is asked for, and mesh edges
@@ -114,9 +118,10 @@ impl QuickLineFinder {
         progress.check()?;
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
-        let finder = ContourFinder { mesh, topology: &self.topology, unpaired: &self.unpaired, viewpoint, at_eye: &[] };
-        self.selector.find_silhouette(mesh, &self.topology, &viewpoint);
-        let strokes = self.selector.strokes(&self.scene, &finder, &[], options);
+        let viewer = DisplacedViewer::new(viewpoint, self.center);
+        let view = ViewedMesh { mesh, topology: &self.topology, unpaired: &self.unpaired, viewer };
+        self.selector.find_silhouette(mesh, &self.topology, &viewer);
+        let strokes = self.selector.strokes(&self.scene, &view, &[], options);
         stats.extract = started.elapsed();
 
         let started = Instant::now();
@@ -142,7 +147,7 @@ impl QuickLineFinder {
         stats.chain = started.elapsed();
         stats.edges = strokes.strokes.len() as u64;
         stats.pieces = pieces.len() as u64;
-        Ok(Lines { camera: *camera, chains, outline: Vec::new(), stats })
+        Ok(Lines { camera: *camera, chains, outline: Outline::default(), stats })
     }
 }
 
@@ -217,12 +222,7 @@ impl Sampler<'_> {
                 Some(piece) if is_visible && was_visible => piece.range[1] = end,
                 _ if is_visible => {
                     let begin = if sample == 0 { clipped.range[0] } else { parameter(f64::from(sample) / count) };
-                    pieces.push(Piece {
-                        stroke: index,
-                        range: [begin, end],
-                        layers: Layers::default(),
-                        crossed: [None; 2],
-                    });
+                    pieces.push(Piece { stroke: index, invisibility: 0, range: [begin, end] });
                 }
                 _ => {}
             }

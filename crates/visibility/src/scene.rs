@@ -126,6 +126,11 @@ impl LineScene {
         self.mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element())
     }
 
+    /// The middle of the mesh's bounds. O(V).
+    pub(crate) fn center(&self) -> Vec3 {
+        self.mesh.mesh().bounds().map_or(Vec3::ZERO, |bounds| bounds.center.as_vec3())
+    }
+
     /// Number of objects, at least 1.
     pub fn object_count(&self) -> usize {
         self.object_starts.len()

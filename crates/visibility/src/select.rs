@@ -1,80 +1,42 @@
 //! Step 2: which edges are drawn, and why.
+//!
+//! A silhouette edge is drawn by where its faces lie in the picture, not by their winding: all on one side of it, so that
+//! beyond it the surface ends. For consistently wound faces that is Hall's definition. So a solid wound inward, or in part,
+//! has the silhouette that its mended twin has.
+//!
+//! # Walls seen edge-on
+//!
+//! The displaced viewer sees a wall that the camera has edge-on either from behind, and its near rim is a silhouette edge, or
+//! from the front, as a strip without width, and its near rim is not. In the camera's picture the surface ends there all the
+//! same: the floor of a pit has another depth than its rim. So that rim is drawn as well: an edge of which all faces that the
+//! camera does not see edge-on lie on one side, while all that it does recede from the viewer.
 
 use crate::chains::SegmentSource;
-use crate::contours::{Contour, ContourFinder, EDGES_PER_TASK, UnpairedEdges};
+use crate::contours::{Contour, EDGES_PER_TASK};
+use crate::feature_edges::FeatureEdges;
 use crate::intersections::{FaceIntersections, Intersection};
 use crate::kind::LineKind;
 use crate::options::LineOptions;
 use crate::scene::LineScene;
 use crate::stroke::{Stroke, Strokes};
+use crate::surface::Wing;
+use crate::viewed_mesh::ViewedMesh;
 use rayon::prelude::*;
-use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::method::{OptionValues, PrepareError};
-use silhouette_core::{EdgeId, ExtractsEdges, FaceFacings, Facing, Method, Progress, SilhouetteEdges};
-use silhouette_core::{Topology, TriangleMesh, Viewpoint};
+use silhouette_core::orientation::orientation;
+use silhouette_core::{
+    DisplacedViewer, EdgeId, FaceFacings, FaceId, Facing, HalfEdgeId, Method, Progress, SilhouetteEdges, Topology,
+    TriangleMesh,
+};
 use silhouette_extraction::ClusterCones;
-
-/// Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
-#[derive(Debug, Clone, Default)]
-struct FeatureEdges {
-    /// Ascending by edge. Boundary edges, ridges and the rest by the view-independent kinds.
-    edges: Vec<(EdgeId, LineKind)>,
-}
-
-impl FeatureEdges {
-    /// The feature edges of a scene. O(E), parallel; O(unpaired edges) where boundary edges are all that is asked for.
-    fn new(scene: &LineScene, topology: &Topology, unpaired: &UnpairedEdges, options: &LineOptions) -> Self {
-        let looks_at_all =
-            options.mesh || options.ridge_deg.is_some() || options.valley_deg.is_some() || scene.labels().is_some();
-        let mesh = scene.mesh().mesh();
-        let kind_of = |edge: EdgeId| kind(scene, mesh, topology, options, edge).map(|kind| (edge, kind));
-        let edges = if looks_at_all {
-            (0..topology.edge_count()).into_par_iter().map(EdgeId::from_usize).filter_map(kind_of).collect()
-        } else {
-            unpaired.as_slice().iter().copied().filter_map(kind_of).collect()
-        };
-        Self { edges }
-    }
-}
-
-fn kind(
-    scene: &LineScene,
-    mesh: &TriangleMesh,
-    topology: &Topology,
-    options: &LineOptions,
-    edge: EdgeId,
-) -> Option<LineKind> {
-    let half_edges = topology.half_edges(edge);
-    let other = options.mesh.then_some(LineKind::Mesh);
-    let [one, another] = half_edges else {
-        return if half_edges.len() == 1 && options.boundary { Some(LineKind::Boundary) } else { other };
-    };
-    let faces = [one.face(), another.face()];
-    let wanted = [(LineKind::Ridge, options.ridge_deg), (LineKind::Valley, options.valley_deg)];
-    if wanted.iter().any(|(_, threshold)| threshold.is_some()) {
-        let [normal, across] = faces.map(|face| {
-            let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
-            (b - a).cross(c - a)
-        });
-        let bend_deg = normal.cross(across).length().atan2(normal.dot(across)).to_degrees();
-        // Concave where the neighbour's third corner rises above the face.
-        let [a, ..] = mesh.corners(faces[0]).map(Vec3::as_dvec3);
-        let apex = mesh.corners(faces[1])[(another.slot() as usize + 2) % 3].as_dvec3();
-        let is_ridge = normal.dot(apex - a) <= 0.0;
-        let threshold = if is_ridge { options.ridge_deg } else { options.valley_deg };
-        if normal != DVec3::ZERO && across != DVec3::ZERO && threshold.is_some_and(|least| bend_deg >= least) {
-            return Some(if is_ridge { LineKind::Ridge } else { LineKind::Valley });
-        }
-    }
-    let labels_differ = |labels: &[u32]| labels[faces[0].index()] != labels[faces[1].index()];
-    if options.material && scene.labels().is_some_and(labels_differ) { Some(LineKind::Material) } else { other }
-}
 
 /// Selects the edges of one view after another; what does not depend on the view is found once for each choice of kinds.
 #[derive(Default)]
 pub struct Selector {
     facings: FaceFacings,
     silhouette: SilhouetteEdges,
+    /// Faces that the filter of facings left to exact arithmetic; those seen edge-on are among them.
+    doubtful: Vec<FaceId>,
     features: Option<(LineOptions, FeatureEdges)>,
     /// Finds the silhouette without looking at all faces, where many views are wanted.
     cones: Option<ClusterCones>,
@@ -88,13 +50,16 @@ impl Selector {
         Ok(Self { cones: Some(cones), ..Self::default() })
     }
 
-    /// Finds the silhouette of a view. O(F), or less with a search tree.
-    pub fn find_silhouette(&mut self, mesh: &TriangleMesh, topology: &Topology, viewpoint: &Viewpoint) {
+    /// Finds the edges at which facings differ. O(F), or less with a search tree.
+    pub fn find_silhouette(&mut self, mesh: &TriangleMesh, topology: &Topology, viewer: &DisplacedViewer) {
+        self.doubtful.clear();
         if let Some(cones) = &mut self.cones {
-            cones.extract_edges(viewpoint, &mut self.silhouette);
+            cones.extract_edges_by(viewer, &mut self.silhouette);
+            self.doubtful.extend(cones.doubtful_faces());
         } else {
-            self.facings.classify(mesh, viewpoint);
+            self.facings.classify(mesh, viewer);
             self.silhouette = SilhouetteEdges::of(topology, &self.facings);
+            self.doubtful.extend(self.facings.doubtful_faces());
         }
     }
 
@@ -103,40 +68,92 @@ impl Selector {
     pub fn strokes(
         &mut self,
         scene: &LineScene,
-        finder: &ContourFinder<'_>,
+        view: &ViewedMesh<'_>,
         contours: &[Contour],
         options: &LineOptions,
     ) -> Strokes {
         let kept = self.features.take().filter(|(of, _)| of == options);
-        let (_, features) =
-            self.features.insert(kept.unwrap_or_else(|| {
-                (options.clone(), FeatureEdges::new(scene, finder.topology, finder.unpaired, options))
-            }));
-        let drawn = drawn_edges(finder, &self.silhouette, features, options);
-        mesh_strokes(scene, finder, contours, &drawn)
+        let (_, features) = self.features.insert(
+            kept.unwrap_or_else(|| (options.clone(), FeatureEdges::new(scene, view.topology, view.unpaired, options))),
+        );
+        let silhouette =
+            if options.silhouette { silhouette_edges(view, &self.silhouette, &self.doubtful) } else { Vec::new() };
+        let drawn = drawn_edges(view, &silhouette, features, options);
+        mesh_strokes(scene, view, contours, &drawn)
     }
 
-    /// All silhouette edges of the view last looked for.
+    /// The edges at which facings differ in the view last looked for.
     pub fn silhouette(&self) -> &SilhouetteEdges {
         &self.silhouette
     }
 }
 
+/// The silhouette edges that are drawn, of those at which facings differ, the unpaired ones, and those of faces that may be
+/// seen edge-on. Ascending. O(S + unpaired edges).
+fn silhouette_edges(view: &ViewedMesh<'_>, differing: &SilhouetteEdges, doubtful: &[FaceId]) -> Vec<EdgeId> {
+    let mut drawn: Vec<EdgeId> = differing.iter().filter(|&edge| !view.unpaired.contains(edge)).collect();
+    let candidates = view.unpaired.as_slice().par_iter().copied().with_min_len(EDGES_PER_TASK);
+    let touches_flat = |edge| view.topology.faces(edge).any(|face| view.unpaired.is_flat(face));
+    let is_drawn = |&edge: &EdgeId| is_one_sided(view, edge) || touches_flat(edge) && is_rim_of_wall(view, edge);
+    drawn.extend(candidates.filter(is_drawn).collect::<Vec<EdgeId>>());
+    let edge_on = doubtful.iter().filter(|&&face| view.turn(face).is_tie() && !view.unpaired.is_flat(face));
+    for slot_of in edge_on.flat_map(|&face| (0..3).map(move |slot| HalfEdgeId::of(face, slot))) {
+        let edge = view.topology.edge_of(slot_of);
+        if is_rim_of_wall(view, edge) {
+            drawn.push(edge);
+        }
+    }
+    drawn.sort_unstable();
+    drawn.dedup();
+    drawn
+}
+
+/// Whether an edge has two wings or more, all on one side of it.
+fn is_one_sided(view: &ViewedMesh<'_>, edge: EdgeId) -> bool {
+    let half_edges = view.topology.half_edges(edge);
+    let may_have_two = half_edges.len() > 1 || view.unpaired.is_flat(half_edges[0].face());
+    may_have_two && {
+        let [left, right] = view.wings_beside(edge);
+        left.min(right) == 0 && left.max(right) >= 2
+    }
+}
+
+/// Whether an edge is the near rim of a wall that is seen edge-on. See the [module](self).
+fn is_rim_of_wall(view: &ViewedMesh<'_>, edge: EdgeId) -> bool {
+    let (_, [a, b]) = view.ends(edge);
+    let mut seen: Vec<(Wing, i32)> = Vec::new();
+    let mut walls: Vec<Wing> = Vec::new();
+    view.for_each_wing(edge, |wing| {
+        let turn = view.viewer.turn(a, b, wing.apex);
+        if turn.is_tie() { walls.push(wing) } else { seen.push((wing, turn.sign())) }
+    });
+    // A wall recedes where it lies behind the plane of the face beside it.
+    let recedes = |wall: &Wing| {
+        let (beside, side) = &seen[0];
+        orientation(a, b, beside.apex, wall.apex) * f64::from(*side) < 0.0
+    };
+    !walls.is_empty()
+        && seen.first().is_some_and(|(_, first)| seen.iter().all(|(_, side)| side == first))
+        && walls.iter().all(recedes)
+}
+
 /// The mesh edges drawn in a view, each once and ascending: silhouette edges before features. O(S + features).
 fn drawn_edges(
-    finder: &ContourFinder<'_>,
-    silhouette: &SilhouetteEdges,
+    view: &ViewedMesh<'_>,
+    silhouette: &[EdgeId],
     features: &FeatureEdges,
     options: &LineOptions,
 ) -> Vec<(EdgeId, LineKind)> {
-    let is_interior = |edge: &EdgeId| finder.topology.half_edges(*edge).len() > 1;
-    let silhouette = silhouette.iter().filter(|edge| options.silhouette && is_interior(edge));
-    let mut drawn: Vec<(EdgeId, LineKind)> = silhouette.map(|edge| (edge, LineKind::Silhouette)).collect();
-    let is_wanted = |&&(edge, kind): &&(EdgeId, LineKind)| {
-        let bounds_front_face = || finder.topology.faces(edge).any(|face| finder.facing(face) == Facing::Front);
-        options.back_boundary || kind != LineKind::Boundary || bounds_front_face()
+    let mut drawn: Vec<(EdgeId, LineKind)> = silhouette.iter().map(|&edge| (edge, LineKind::Silhouette)).collect();
+    let kind_in_view = |&(edge, kind): &(EdgeId, LineKind)| {
+        let is_front = || view.topology.faces(edge).any(|face| view.facing(face) == Facing::Front);
+        if kind != LineKind::Boundary || options.back_boundary || is_front() {
+            Some((edge, kind))
+        } else {
+            options.mesh.then_some((edge, LineKind::Mesh))
+        }
     };
-    drawn.extend(features.edges.iter().filter(is_wanted));
+    drawn.extend(features.as_slice().iter().filter_map(kind_in_view));
     // Stable, so that the silhouette keeps an edge that is a feature as well.
     drawn.sort_by_key(|&(edge, _)| edge);
     drawn.dedup_by_key(|&mut (edge, _)| edge);
@@ -146,7 +163,7 @@ fn drawn_edges(
 /// Strokes of drawn edges, those of no length left out. O(drawn + contours), parallel.
 fn mesh_strokes(
     scene: &LineScene,
-    finder: &ContourFinder<'_>,
+    view: &ViewedMesh<'_>,
     contours: &[Contour],
     drawn: &[(EdgeId, LineKind)],
 ) -> Strokes {
@@ -157,15 +174,14 @@ fn mesh_strokes(
     });
     let known: Vec<(EdgeId, LineKind, Option<&Contour>)> = known.collect();
     let stroke = |&(edge, kind, contour): &(EdgeId, LineKind, Option<&Contour>)| {
-        let (vertices, ends) = contour.map_or_else(|| finder.ends(edge), |contour| (contour.vertices, contour.ends));
-        let first_face = finder.topology.half_edges(edge)[0].face();
+        let (vertices, ends) = contour.map_or_else(|| view.ends(edge), |contour| (contour.vertices, contour.ends));
+        let first_face = view.topology.half_edges(edge)[0].face();
         (ends[0] != ends[1]).then(|| Stroke {
             ends,
             vertices,
             source: SegmentSource::Edge(edge),
             kind,
             object: scene.object_of(first_face),
-            side: contour.map_or_else(|| finder.surface_side(edge), Contour::surface_side),
             own: 0..0,
         })
     };
@@ -173,7 +189,7 @@ fn mesh_strokes(
     let mut strokes = Strokes::default();
     for (stroke, (edge, _)) in found.into_iter().zip(drawn) {
         if let Some(stroke) = stroke {
-            strokes.push(stroke, finder.topology.faces(*edge));
+            strokes.push(stroke, view.topology.faces(*edge));
         }
     }
     strokes
@@ -190,7 +206,6 @@ pub fn push_intersections(scene: &LineScene, found: &FaceIntersections, strokes:
             source: SegmentSource::Intersection(index as u32),
             kind: LineKind::Intersection,
             object: scene.object_of(faces[0]),
-            side: 1,
             own: 0..0,
         };
         strokes.push(stroke, *faces);

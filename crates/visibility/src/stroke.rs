@@ -24,8 +24,6 @@ pub struct Stroke {
     pub kind: LineKind,
     /// The object it belongs to.
     pub object: u32,
-    /// The side of it that decides in ties, looking from its first end to its second: 1 for the left, -1 for the right.
-    pub side: i8,
     /// Faces that it lies on and that therefore do not hide it, in [`Strokes::faces`].
     pub own: Range<u32>,
 }
@@ -49,7 +47,7 @@ impl Stroke {
     }
 }
 
-/// The strokes of a view.
+/// The strokes of a view: mesh edges first, ascending, then intersections, then curves.
 #[derive(Debug, Clone, Default)]
 pub struct Strokes {
     /// The strokes.
@@ -62,6 +60,7 @@ pub struct Strokes {
 
 impl Strokes {
     /// The faces that a stroke lies on.
+    #[inline]
     pub fn own_faces(&self, stroke: &Stroke) -> &[FaceId] {
         &self.faces[stroke.own.start as usize..stroke.own.end as usize]
     }

@@ -105,7 +105,7 @@ pub fn write_json(
         size: lines.camera.size(),
         page: placement,
         chains: AllChains { lines, end_points },
-        outline: &lines.outline,
+        outline: &lines.outline.rings,
     };
     serde_json::to_writer(&mut *out, &document)?;
     out.write_all(b"\n")

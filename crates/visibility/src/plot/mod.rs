@@ -94,7 +94,7 @@ pub struct PlotStats {
 pub fn placement(lines: &Lines, options: &PlotOptions) -> Result<Placement, PlotError> {
     options.check(&lines.camera)?;
     let drawn = lines.chains.iter().filter(|chain| LayerName::of(chain.style).pen(options).is_some());
-    Ok(Placement::new(&lines.camera, options, drawn, &lines.outline))
+    Ok(Placement::new(&lines.camera, options, drawn, &lines.outline.rings))
 }
 
 /// Makes strokes of the lines. The same for any number of threads. About O(n log n) in points and paths.
@@ -146,7 +146,7 @@ fn place_layers(lines: &Lines, options: &PlotOptions, placement: &Placement, sta
         let Some((pen, dash)) = name.pen(options) else { continue };
         let mut paths = Paths::default();
         if name == LayerName::Outline {
-            stats.cut_off += place::place_outline(&lines.outline, &lines.camera, placement, &mut paths);
+            stats.cut_off += place::place_outline(&lines.outline.rings, &lines.camera, placement, &mut paths);
         } else {
             let chains = lines.chains.iter().filter(|chain: &Chain<'_>| LayerName::of(chain.style) == name);
             stats.cut_off += place::place(chains, &lines.camera, placement, &mut paths);

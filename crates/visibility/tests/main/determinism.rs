@@ -22,7 +22,7 @@ fn bits(lines: &Lines) -> (Vec<ChainBits>, Vec<Vec<[u64; 2]>>) {
         )
     });
     let polygon = |polygon: &Vec<DVec2>| polygon.iter().map(|pixel| pixel.to_array().map(f64::to_bits)).collect();
-    (chains.collect(), lines.outline.iter().map(polygon).collect())
+    (chains.collect(), lines.outline.rings.iter().map(polygon).collect())
 }
 
 fn with_threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {

@@ -4,11 +4,14 @@
 
 mod closed_forms;
 mod determinism;
+mod drawings;
 mod hostile;
 mod octants;
 mod oracle;
 mod outline;
+
 mod rays;
 mod scenes;
 mod soups;
 mod strokes_of_the_caller;
+mod whole_scenes;

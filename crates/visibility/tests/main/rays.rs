@@ -1,6 +1,6 @@
 //! Every decision about a point of a line against a sight line cast by brute force.
 
-use crate::oracle;
+use crate::oracle::{Oracle, nearest_step};
 use crate::scenes::{all_lines, builtin, directions, framing, model};
 use silhouette_core::glam::DVec3;
 use silhouette_core::{Camera, Projection, Topology, TriangleMesh, VertexId};
@@ -16,7 +16,7 @@ pub struct Tally {
     pub samples: usize,
     /// Those with another invisibility.
     pub wrong: usize,
-    /// Points at which a sight line runs exactly through an edge.
+    /// Points compared at which something was too close to a tie for floating point.
     pub ties: usize,
     /// Points compared that are hidden.
     pub hidden: usize,
@@ -36,6 +36,7 @@ fn in_space(camera: &Camera, ends: [DVec3; 2], share: f64) -> f64 {
 /// Compares about `wanted` points, spread evenly along all lines.
 pub fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
     let topology = Topology::new(mesh);
+    let oracle = Oracle::new(mesh, &lines.camera.viewpoint());
     let clearance_px = CLEARANCE * f64::from(lines.camera.size()[0].max(lines.camera.size()[1]));
     let total: f64 = lines.chains.iter().map(|chain| chain.length_px()).sum();
     let spacing = total / wanted as f64;
@@ -59,14 +60,11 @@ pub fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
                 let ends = vertices.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
                 let point = points[0].lerp(points[1], in_space(&lines.camera, points, at / length));
                 let t = point.distance(ends[0]) / ends[1].distance(ends[0]);
-                match oracle::invisibility(mesh, &lines.camera.viewpoint(), vertices, oracle::nearest_step(t)) {
-                    None => tally.ties += 1,
-                    Some(expected) => {
-                        tally.samples += 1;
-                        tally.hidden += usize::from(expected > 0);
-                        tally.wrong += usize::from(expected != chain.style.invisibility);
-                    }
-                }
+                let (expected, is_tie) = oracle.invisibility(vertices, nearest_step(t));
+                tally.samples += 1;
+                tally.ties += usize::from(is_tie);
+                tally.hidden += usize::from(expected > 0);
+                tally.wrong += usize::from(expected != chain.style.invisibility);
             }
             walked -= length;
         }

@@ -8,7 +8,7 @@ use silhouette_visibility::plot::{
     Dash, Drawing, Fit, GltfContainer, Hidden, Length, Page, PlotOptions, Sheet, Unit, placement, plot, write_gltf,
     write_json,
 };
-use silhouette_visibility::{LineKind, Lines};
+use silhouette_visibility::{LineKind, Lines, Outline};
 
 const TITLE: &str = "a <mesh> & \"another\"";
 
@@ -116,7 +116,7 @@ fn true_scale_is_true() {
 fn an_outline_is_one_even_odd_path() {
     let mut found = lines(orthographic());
     let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(DVec2::from).to_vec();
-    found.outline = vec![square(20.0, 60.0), square(30.0, 50.0), square(70.0, 130.0)];
+    found.outline = Outline::of_regions([vec![square(20.0, 60.0), square(30.0, 50.0)], vec![square(70.0, 130.0)]]);
     let drawing = plot(&found, &PlotOptions { unit: Unit::Px, sheet: None, ..everything() }, &NoProgress).unwrap();
     let tree = parsed(&svg(&drawing));
     let paths = paths_in(tree.root());

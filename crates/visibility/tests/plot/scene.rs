@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use silhouette_core::EdgeId;
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::view::{Camera, Projection};
-use silhouette_visibility::{Chain, ChainStyle, Chains, LineKind, LineStats, Lines, SegmentSource};
+use silhouette_visibility::{Chain, ChainStyle, Chains, LineKind, LineStats, Lines, Outline, SegmentSource};
 
 /// Side of the viewport in pixels.
 pub const SIDE: f64 = 100.0;
@@ -22,7 +22,7 @@ fn camera(projection: Projection) -> Camera {
 }
 
 pub fn lines(camera: Camera) -> Lines {
-    Lines { camera, chains: Chains::default(), outline: Vec::new(), stats: LineStats::default() }
+    Lines { camera, chains: Chains::default(), outline: Outline::default(), stats: LineStats::default() }
 }
 
 /// A chain to be drawn, with points in pixels; its points in space lie in the plane z = invisibility.
