@@ -122,7 +122,7 @@ struct PageArguments {
     /// Leaves paths in the order of the lines instead of one in which the lifted pen travels little
     #[arg(long)]
     no_sort: bool,
-    /// Draws lines that lie exactly on others again
+    /// Draws lines that lie on others again
     #[arg(long)]
     no_dedupe: bool,
 }

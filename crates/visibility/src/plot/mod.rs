@@ -1,7 +1,7 @@
 //! [`plot`]: lines become strokes on a page, and the page a file that plotters and vector editors accept.
 //!
 //! 1. `place`(mod@place): pixels become page units, cut off at the viewport and the margins
-//! 2. `dedupe`(mod@dedupe): what lies exactly on another line is drawn once; visible before hidden, silhouettes first
+//! 2. `dedupe`(mod@dedupe): what lies on another line is drawn once; visible before hidden, silhouettes first
 //! 3. `join`(mod@join): paths of a layer that touch end to end become one
 //! 4. `merge`(mod@merge): points that lie on the line between others are dropped
 //! 5. `drop_short`(mod@drop_short): dots are left out
@@ -14,6 +14,7 @@
 mod clip;
 mod dash;
 mod dedupe;
+mod drawn;
 mod drop_short;
 mod gltf;
 mod join;
@@ -75,7 +76,7 @@ pub struct PlotStats {
     pub drawn: f64,
     /// Length that the viewport shows and the page cannot hold at true scale.
     pub cut_off: f64,
-    /// Segments removed because they lie on others.
+    /// Segments removed, in whole or in part, because they lie on others.
     pub repeats: u64,
     /// Short paths that were left out.
     pub dropped: Dropped,
@@ -108,7 +109,7 @@ pub fn plot(lines: &Lines, options: &PlotOptions, progress: &dyn Progress) -> Re
     let mut layers = place_layers(lines, options, &placement, &mut stats);
     progress.check()?;
     if options.dedupe {
-        stats.repeats = dedupe_layers(&mut layers);
+        stats.repeats = dedupe_layers(&mut layers, options.merge_tolerance.to(options.unit));
     }
     let prepared: Vec<_> = layers.par_iter().map(|layer| prepare(layer, options)).collect();
     for (layer, (paths, dropped)) in layers.iter_mut().zip(prepared) {
@@ -159,14 +160,14 @@ fn place_layers(lines: &Lines, options: &PlotOptions, placement: &Placement, sta
 
 /// Removes repeats, visible lines before hidden ones and silhouettes before all others. The outline, which repeats
 /// silhouettes by its nature, stays.
-fn dedupe_layers(layers: &mut [Layer]) -> u64 {
+fn dedupe_layers(layers: &mut [Layer], tolerance: f64) -> u64 {
     let mut lines: Vec<&mut Layer> = layers.iter_mut().filter(|layer| layer.name != LayerName::Outline).collect();
     lines.sort_by_key(|layer| match layer.name {
         LayerName::Lines { kind, visible } => (!visible, Some(kind)),
         LayerName::Outline => (true, None),
     });
     let mut paths: Vec<&mut Paths> = lines.into_iter().map(|layer| &mut layer.paths).collect();
-    dedupe::dedupe(&mut paths)
+    dedupe::dedupe(&mut paths, tolerance)
 }
 
 /// Joins, merges, drops and dashes the paths of a layer.

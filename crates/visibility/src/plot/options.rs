@@ -60,7 +60,7 @@ pub struct PlotOptions {
     pub merge_tolerance: Length,
     /// Paths shorter than this are dropped, before dashes are cut; 0 keeps all. Default: 0.1 mm, less than a pen's width.
     pub min_length: Length,
-    /// Whether a segment that lies exactly on another is dropped. Default: yes.
+    /// Whether what lies on another line is dropped: visible before hidden, silhouettes before all others. Default: yes.
     pub dedupe: bool,
     /// Whether paths are put in an order in which the pen travels little between them. Default: yes.
     pub order: bool,

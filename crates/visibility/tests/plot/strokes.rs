@@ -60,6 +60,28 @@ fn a_loop_that_loses_a_side_is_open() {
 }
 
 #[test]
+fn lines_that_overlap_in_part_are_drawn_once() {
+    let all = [
+        drawn(LineKind::Silhouette, &[[20.0, 10.0], [50.0, 10.0]]),
+        drawn(LineKind::Ridge, &[[10.0, 10.0], [30.0, 10.0], [30.0, 40.0]]),
+        drawn(LineKind::Silhouette, &[[0.0, 10.0], [90.0, 10.0]]).hidden(1),
+    ];
+    let drawing = plotted(&lines_of(orthographic(), &all), &PlotOptions { dedupe: true, ..plain() });
+    let paths = |id: &str| -> Vec<Vec<DVec2>> {
+        let layer = drawing.layers.iter().find(|layer| layer.name.id() == id).unwrap();
+        layer.paths.iter().map(|path| path.points.to_vec()).collect()
+    };
+    let placed = |points: &[[f64; 2]]| points.iter().copied().map(DVec2::from).collect::<Vec<_>>();
+    assert_eq!(paths("silhouette-visible"), [placed(&[[20.0, 10.0], [50.0, 10.0]])]);
+    let ridges = paths("ridge-visible");
+    assert_eq!(ridges, [placed(&[[10.0, 10.0], [20.0, 10.0]]), placed(&[[30.0, 10.0], [30.0, 40.0]])]);
+    assert_eq!(
+        paths("silhouette-hidden"),
+        [placed(&[[0.0, 10.0], [10.0, 10.0]]), placed(&[[50.0, 10.0], [90.0, 10.0]])]
+    );
+}
+
+#[test]
 fn hidden_lines_of_several_depths_are_one_path() {
     let all = [
         drawn(LineKind::Ridge, &[[10.0, 10.0], [20.0, 10.0]]).hidden(1),
@@ -185,14 +207,17 @@ fn grid_cells(drawing: &Drawing, keep: impl Fn(LayerName) -> bool) -> Vec<[i64; 
 }
 
 proptest! {
-    /// Segments between neighbouring points of a grid overlap wholly or not at all: after removing repeats each is
-    /// drawn once, and none is lost.
+    /// Segments along the lines of a grid, which overlap in part: after removing repeats each stretch is drawn once, and
+    /// none is lost.
     #[test]
-    fn dedupe_keeps_the_union(steps in prop::collection::vec((0..6_i32, 0..6_i32, 0..4_usize, 0..2_u32), 1..80)) {
-        let all: Vec<_> = steps.iter().map(|&(x, y, direction, invisibility)| {
-            let from = [f64::from(x) * 10.0 + 20.0, f64::from(y) * 10.0 + 20.0];
+    fn dedupe_keeps_the_union(
+        steps in prop::collection::vec((0..6_i32, 0..6_i32, 0..4_usize, 0..2_u32, 1..4_u32), 1..80),
+    ) {
+        let all: Vec<_> = steps.iter().map(|&(x, y, direction, invisibility, count)| {
+            let from = [f64::from(x) * 10.0 + 30.0, f64::from(y) * 10.0 + 30.0];
             let (dx, dy) = [(10.0, 0.0), (0.0, 10.0), (-10.0, 0.0), (0.0, -10.0)][direction];
-            drawn(LineKind::ALL[direction], &[from, [from[0] + dx, from[1] + dy]]).hidden(invisibility)
+            let to = [from[0] + dx * f64::from(count), from[1] + dy * f64::from(count)];
+            drawn(LineKind::ALL[direction], &[from, to]).hidden(invisibility)
         }).collect();
         let found = lines_of(orthographic(), &all);
         // A negative tolerance of merging is not to be had, so segments are compared before any is merged.
@@ -205,7 +230,7 @@ proptest! {
         union.dedup();
         prop_assert_eq!(once, union, "none is lost");
         prop_assert!((after.stats.drawn - 10.0 * drawn as f64).abs() < 1e-9);
-        prop_assert_eq!(after.stats.repeats as usize, steps.len() - drawn);
+        prop_assert!(after.stats.repeats as usize <= steps.len());
     }
 
     /// Reordered paths are the paths, none twice and none lost, and the way between them is never longer.
