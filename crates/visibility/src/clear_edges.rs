@@ -51,7 +51,7 @@ impl Segment {
         mut visit: impl FnMut(Meeting),
     ) -> u64 {
         let mut looked_at = 0;
-        tree.faces_at(self.ends[0], self.ends[1], |face| {
+        tree.faces_at(self.ends, self.vertices, |face| {
             looked_at += 1;
             if is_own(face) {
                 return;

@@ -178,7 +178,7 @@ impl Cutter<'_> {
         let chunks = (0..self.edges.len().div_ceil(EDGES_PER_TASK)).into_par_iter();
         let found: Result<Vec<Found>, LineError> = chunks.map_init(Scratch::default, find).collect();
         let found = found?;
-        if is_crowded() { Err(LineError::TooCrowded) } else { Ok(self.part(&found)) }
+        if is_crowded() { Err(LineError::TooCrowded) } else { Ok(self.part(found)) }
     }
 
     /// Appends the events of an edge with those that come after it, and with all if it is no contour.
@@ -297,7 +297,7 @@ impl Cutter<'_> {
     }
 
     /// Brings the events of each stroke together and parts the strokes at them.
-    fn part(&self, found: &[Found]) -> Cuts {
+    fn part(&self, found: Vec<Found>) -> Cuts {
         let count = self.strokes.strokes.len();
         // A counting sort of events by stroke.
         let mut first = vec![0_u32; count + 1];
@@ -318,6 +318,8 @@ impl Cutter<'_> {
         let mut cuts = Cuts::default();
         found.iter().for_each(|found| cuts.stats.add(found.stats));
         cuts.stats.events = events.len() as u64;
+        // As large as what follows.
+        drop(found);
         cuts.gaps.reserve(events.len() + count);
         for (stroke, range) in self.drawn.iter().enumerate() {
             if let Some(range) = *range {

@@ -1,7 +1,7 @@
 //! Steps 4 to 8 for all strokes of a view: from edges in the picture to pieces of one invisibility.
 
 use crate::cut::{CutStats, CutStroke, Cutter};
-use crate::finder::LineError;
+use crate::finder::{LineError, MAX_PIECES};
 use crate::pieces::{Piece, emit};
 use crate::propagate::Propagation;
 use crate::vertex_faces::VertexFaces;
@@ -34,6 +34,9 @@ pub fn decide(
     for CutStroke { stroke, gaps, range, .. } in &cuts.strokes {
         let layers = &layers[gaps.clone()];
         emit(*stroke, *range, &cuts.gaps[gaps.clone()], layers, max_invisibility, &mut pieces);
+        if pieces.len() as u64 > MAX_PIECES + cuts.strokes.len() as u64 {
+            return Err(LineError::TooCrowded);
+        }
     }
     Ok(Decided { pieces, stats: cuts.stats, sight_lines })
 }

@@ -11,6 +11,7 @@
 //! `8 x 2^-23`; a slab's parameter comes from a difference and a product, each within `2^-24`, so that its plane appears
 //! moved by at most `3 x 2^-24 x 8`. In all below `54 x 2^-24`, a third of the growth.
 
+use crate::fan::Fan;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, builder::build_bvh2, node::Bvh2Node};
 use obvhs::ray::Ray;
@@ -19,6 +20,7 @@ use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3, Vec3A};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
+use std::ops::Range;
 use std::time::Duration;
 
 /// By how much boxes are grown on every side, in units of half the scene's largest extent. See the [module](self).
@@ -38,28 +40,85 @@ fn spread(face: usize) -> f32 {
     f32::from((face as u32).wrapping_mul(2_654_435_769).to_be_bytes()[0]) / f32::from(u8::MAX)
 }
 
-/// A bounding volume hierarchy over the faces of a mesh. Memory: about 70 bytes a face.
-pub struct FaceTree {
+/// Faces around a vertex from which on they are a [`Fan`].
+const MOST_AROUND_A_VERTEX: u32 = 128;
+
+/// A hierarchy over some faces.
+struct Tree {
     bvh: Bvh2,
-    /// The grown boxes in the order of the leaves, so that those of a leaf lie side by side.
-    boxes: Vec<Aabb>,
-    center: DVec3,
-    /// Local units a world unit.
-    scale: f64,
+    /// The faces in the order of the leaves, with their grown boxes, so that those of a leaf lie side by side.
+    leaves: Vec<(Aabb, FaceId)>,
 }
 
 /// The places of a leaf's faces in the order of the leaves.
-fn places(leaf: &Bvh2Node) -> impl Iterator<Item = usize> + use<> {
-    (leaf.first_index..leaf.first_index + leaf.prim_count).map(|place| place as usize)
+fn places(leaf: &Bvh2Node) -> Range<usize> {
+    leaf.first_index as usize..(leaf.first_index + leaf.prim_count) as usize
 }
 
 #[derive(Clone, Copy)]
-struct FaceBox(Aabb);
+struct Boxed(Aabb);
 
-impl Boundable for FaceBox {
+impl Boundable for Boxed {
     fn aabb(&self) -> Aabb {
         self.0
     }
+}
+
+fn build(boxes: &[Boxed]) -> Bvh2 {
+    let mut time = Duration::ZERO;
+    if boxes.is_empty() { Bvh2::default() } else { build_bvh2(boxes, BvhBuildParams::fast_build(), &mut time) }
+}
+
+impl Tree {
+    fn new(boxes: &[Boxed], faces: impl Fn(usize) -> FaceId) -> Self {
+        let bvh = build(boxes);
+        let leaf = |&index: &u32| (boxes[index as usize].0, faces(index as usize));
+        let leaves = bvh.primitive_indices.iter().map(leaf).collect();
+        Self { bvh, leaves }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(self.bvh.nodes.as_slice())
+            + size_of_val(self.bvh.primitive_indices.as_slice())
+            + size_of_val(self.leaves.as_slice())
+    }
+
+    /// Visits the faces that a segment may meet: a superset, each face once.
+    #[inline]
+    fn faces_at(&self, segment: &LocalSegment, visit: &mut impl FnMut(FaceId)) {
+        let mut visit_near = |place: usize| {
+            let (Aabb { min, max }, face) = self.leaves[place];
+            if (min.cmple(segment.high) & max.cmpge(segment.low)).all() {
+                visit(face);
+            }
+        };
+        match segment.ray {
+            Some(ray) if !self.bvh.nodes.is_empty() => self.bvh.ray_traverse_anyhit(ray, |_, place| visit_near(place)),
+            _ => self.bvh.aabb_traverse(Aabb::new(segment.low, segment.high), |bvh, node| {
+                places(&bvh.nodes[node as usize]).for_each(&mut visit_near);
+                true
+            }),
+        }
+    }
+}
+
+/// A segment in local coordinates: its box, and where that is large, the ray along it.
+struct LocalSegment {
+    low: Vec3A,
+    high: Vec3A,
+    ray: Option<Ray>,
+}
+
+/// A bounding volume hierarchy over the faces of a mesh. Memory: about 70 bytes per face.
+pub struct FaceTree {
+    /// All faces but those of fans.
+    main: Tree,
+    /// Faces around vertices of very many, and a hierarchy over what each fan spans.
+    fans: Vec<Fan>,
+    over_fans: Bvh2,
+    center: DVec3,
+    /// Local units per world unit.
+    scale: f64,
 }
 
 impl FaceTree {
@@ -69,24 +128,32 @@ impl FaceTree {
         let half = ((max - min) * 0.5).max_element();
         let (center, scale) = ((min + max) * 0.5, if half > 0.0 { 1.0 / half } else { 1.0 });
         let local = |vertex: u32| ((mesh.positions()[vertex as usize].as_dvec3() - center) * scale).as_vec3a();
-        let boxes: Vec<FaceBox> = mesh
-            .triangles()
-            .par_iter()
-            .enumerate()
-            .map(|(face, triangle)| {
-                let [a, b, c] = triangle.map(local);
-                let growth = Vec3A::splat(GROWTH * (1.0 + spread(face)));
-                FaceBox(Aabb::new(a.min(b).min(c) - growth, a.max(b).max(c) + growth))
-            })
-            .collect();
-        let bvh = if boxes.is_empty() {
-            Bvh2::default()
-        } else {
-            let mut time = Duration::ZERO;
-            build_bvh2(&boxes, BvhBuildParams::fast_build(), &mut time)
+        let grown = |(face, triangle): (usize, &[u32; 3])| {
+            let [a, b, c] = triangle.map(local);
+            let growth = Vec3A::splat(GROWTH * (1.0 + spread(face)));
+            Boxed(Aabb::new(a.min(b).min(c) - growth, a.max(b).max(c) + growth))
         };
-        let boxes = bvh.primitive_indices.iter().map(|&face| boxes[face as usize].0).collect();
-        Self { bvh, boxes, center, scale }
+        let boxes: Vec<Boxed> = mesh.triangles().par_iter().enumerate().map(grown).collect();
+        let [rest, of_fans] = split_fans(mesh);
+        let tree_of = |faces: &[u32]| {
+            let boxes: Vec<Boxed> = faces.iter().map(|&face| boxes[face as usize]).collect();
+            Tree::new(&boxes, |index| FaceId::new(faces[index]))
+        };
+        let main = match &rest {
+            None => Tree::new(&boxes, FaceId::from_usize),
+            Some(rest) => tree_of(&rest.iter().map(|&(_, face)| face).collect::<Vec<_>>()),
+        };
+        let of_fans = of_fans.unwrap_or_default();
+        let by_vertex: Vec<&[(u32, u32)]> = of_fans.chunk_by(|one, other| one.0 == other.0).collect();
+        let fan_of = |fan: &&[(u32, u32)]| {
+            let bounds =
+                fan.iter().map(|&(_, face)| boxes[face as usize].0).fold(Aabb::INVALID, |all, one| all.union(&one));
+            let faces = fan.iter().map(|&(_, face)| FaceId::new(face)).collect();
+            (Fan::new(mesh, fan[0].0, faces), Boxed(bounds))
+        };
+        let (fans, spans): (Vec<Fan>, Vec<Boxed>) = by_vertex.par_iter().map(fan_of).unzip();
+        let over_fans = build(&spans);
+        Self { main, fans, over_fans, center, scale }
     }
 
     /// Visits the faces that may lie between `from` and the viewer: a superset, in no particular order, each face once.
@@ -95,44 +162,41 @@ impl FaceTree {
             Viewpoint::Perspective { eye } => (eye.as_dvec3() - from, true),
             Viewpoint::Orthographic { toward_viewer } => (toward_viewer.as_dvec3(), false),
         };
-        self.along(from, toward, reach, |place| visit(self.face(place)));
-    }
-
-    /// Visits the faces that the segment from `a` to `b` may meet: a superset, each face once.
-    pub fn faces_at(&self, a: Vec3, b: Vec3, mut visit: impl FnMut(FaceId)) {
-        let [from, to] = [a, b].map(|end| self.local(end.as_dvec3()));
-        let (low, high) = (from.min(to), from.max(to));
-        let mut visit_near = |place: usize| {
-            let Aabb { min, max } = self.boxes[place];
-            if (min.cmple(high) & max.cmpge(low)).all() {
-                visit(self.face(place));
-            }
-        };
-        if (high - low).max_element() > SHORT {
-            self.along(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true, visit_near);
-        } else {
-            self.bvh.aabb_traverse(Aabb::new(low, high), |bvh, node| {
-                places(&bvh.nodes[node as usize]).for_each(&mut visit_near);
-                true
+        let Some(ray) = self.ray(from, toward, reach) else { return };
+        if !self.main.bvh.nodes.is_empty() {
+            self.main.bvh.ray_traverse_anyhit(ray, |_, place| visit(self.main.leaves[place].1));
+        }
+        if !self.fans.is_empty() {
+            let (end, mut found) =
+                (if reach { toward } else { toward.normalize() * (f64::from(FAR) / self.scale) }, Vec::new());
+            self.over_fans.ray_traverse_anyhit(ray, |_, place| {
+                let fan = &self.fans[self.over_fans.primitive_indices[place] as usize];
+                fan.faces_along([from, from + end], &mut found, &mut visit);
             });
         }
     }
 
-    /// Visits the faces on which a point may lie: a superset, each face once.
-    pub fn faces_near(&self, point: Vec3, mut visit: impl FnMut(FaceId)) {
-        let local = self.local(point.as_dvec3());
-        self.bvh.point_traverse(local, |bvh, node| {
-            places(&bvh.nodes[node as usize]).for_each(|place| visit(self.face(place)));
+    /// Visits the faces that the segment from `a` to `b` may meet: a superset, each face once. Of very many faces around a
+    /// vertex at one of its ends, only those are visited that it may meet at the other end.
+    pub fn faces_at(&self, [a, b]: [Vec3; 2], vertices: [u32; 2], mut visit: impl FnMut(FaceId)) {
+        let whole = self.segment(a, b);
+        self.main.faces_at(&whole, &mut visit);
+        if self.fans.is_empty() {
+            return;
+        }
+        let mut found = Vec::new();
+        self.over_fans.aabb_traverse(Aabb::new(whole.low, whole.high), |over, node| {
+            for place in places(&over.nodes[node as usize]) {
+                let fan = &self.fans[over.primitive_indices[place] as usize];
+                // Its faces meet an edge that ends in its vertex there, and may hold the other end.
+                let ends = match vertices.iter().position(|&end| end == fan.vertex()) {
+                    None => [a, b],
+                    Some(end) => [[a, b][1 - end]; 2],
+                };
+                fan.faces_along(ends.map(Vec3::as_dvec3), &mut found, &mut visit);
+            }
             true
         });
-    }
-
-    /// Visits the faces that may meet the line through `from` along `direction`, in both directions without end.
-    pub fn faces_on_line(&self, from: DVec3, direction: DVec3, mut visit: impl FnMut(FaceId)) {
-        // A ray that begins well outside of the scene.
-        let Some(direction) = direction.try_normalize() else { return };
-        let begin = from - direction * (f64::from(FAR) * 0.5 / self.scale);
-        self.along(begin, direction, false, |place| visit(self.face(place)));
     }
 
     /// The largest extent of the scene along an axis, in world units, or somewhat more; 2 for a scene that has none.
@@ -140,25 +204,48 @@ impl FaceTree {
         2.0 / self.scale
     }
 
-    fn face(&self, place: usize) -> FaceId {
-        FaceId::new(self.bvh.primitive_indices[place])
-    }
-
     fn local(&self, point: DVec3) -> Vec3A {
         ((point - self.center) * self.scale).as_vec3a()
     }
 
-    /// Visits the places in the leaves that a ray may meet.
-    fn along(&self, from: DVec3, direction: DVec3, to_its_end: bool, mut visit: impl FnMut(usize)) {
-        let origin = self.local(from);
-        let length = direction.length();
-        if self.bvh.nodes.is_empty() || !(length > 0.0 && length.is_finite() && origin.is_finite()) {
-            return;
+    fn segment(&self, a: Vec3, b: Vec3) -> LocalSegment {
+        let [from, to] = [a, b].map(|end| self.local(end.as_dvec3()));
+        let (low, high) = (from.min(to), from.max(to));
+        let is_long = (high - low).max_element() > SHORT;
+        LocalSegment {
+            low,
+            high,
+            ray: if is_long { self.ray(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true) } else { None },
         }
-        let end = if to_its_end { (length * self.scale) as f32 * (1.0 + 1e-5) + 2.0 * GROWTH } else { FAR };
-        let ray = Ray::new(origin, (direction / length).as_vec3a(), 0.0, end.min(FAR));
-        self.bvh.ray_traverse_anyhit(ray, |_, place| visit(place));
     }
+
+    fn ray(&self, from: DVec3, direction: DVec3, to_its_end: bool) -> Option<Ray> {
+        let (origin, length) = (self.local(from), direction.length());
+        let end = if to_its_end { (length * self.scale) as f32 * (1.0 + 1e-5) + 2.0 * GROWTH } else { FAR };
+        (length > 0.0 && length.is_finite() && origin.is_finite())
+            .then(|| Ray::new(origin, (direction / length).as_vec3a(), 0.0, end.min(FAR)))
+    }
+}
+
+/// Vertices with faces.
+type Fans = Vec<(u32, u32)>;
+
+/// The faces that belong to no vertex of very many, and those that do, each with the vertex, ascending; nothing where there is
+/// no such vertex. O(F).
+fn split_fans(mesh: &TriangleMesh) -> [Option<Fans>; 2] {
+    let mut around = vec![0_u32; mesh.vertex_count()];
+    mesh.triangles().iter().flatten().for_each(|&vertex| around[vertex as usize] += 1);
+    if around.iter().all(|&faces| faces < MOST_AROUND_A_VERTEX) {
+        return [None, None];
+    }
+    let (mut rest, mut of_fans): (Fans, Fans) = Default::default();
+    for (face, corners) in (0..).zip(mesh.triangles()) {
+        let fullest = corners.iter().copied().max_by_key(|&vertex| (around[vertex as usize], vertex)).unwrap_or(0);
+        let is_fan = around[fullest as usize] >= MOST_AROUND_A_VERTEX;
+        if is_fan { of_fans.push((fullest, face)) } else { rest.push((0, face)) }
+    }
+    of_fans.sort_unstable();
+    [Some(rest), Some(of_fans)]
 }
 
 impl Artefact for FaceTree {
@@ -173,15 +260,14 @@ impl Artefact for FaceTree {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self.bvh.nodes.as_slice())
-            + size_of_val(self.bvh.primitive_indices.as_slice())
-            + size_of_val(self.boxes.as_slice())
+        self.main.bytes() + self.fans.iter().map(Fan::bytes).sum::<usize>()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::piercing::passage;
     use proptest::prelude::*;
 
     proptest! {
@@ -206,12 +292,62 @@ mod tests {
                 let [a, b, c] = mesh.triangles()[face].map(|v| mesh.positions()[v as usize].as_dvec3());
                 let inside = (a * f64::from(weights[0]) + b * f64::from(weights[1]) + c * f64::from(weights[2])) / sum;
                 let beyond = inside + (inside - from.as_dvec3()) * 0.01;
-                let (mut seen, mut crossed) = (Vec::new(), Vec::new());
+                let mut seen = Vec::new();
                 tree.faces_toward(&Viewpoint::Perspective { eye: from }, beyond, |f| seen.push(f.index()));
-                tree.faces_on_line(beyond, inside - from.as_dvec3(), |f| crossed.push(f.index()));
                 if inside != from.as_dvec3() {
                     prop_assert!(seen.contains(&face), "face {face} is not between {beyond} and {from}");
-                    prop_assert!(crossed.contains(&face));
+                }
+            }
+        }
+    }
+
+    /// A fan of slivers around one vertex, and an edge from there to the middle of one.
+    #[test]
+    fn an_edge_at_a_vertex_of_many_faces_looks_at_few_of_them() {
+        let count = 500_u32;
+        let rim = |index: u32| {
+            let angle = index as f32 / count as f32 * std::f32::consts::TAU;
+            Vec3::new(angle.cos(), angle.sin(), 0.0)
+        };
+        let end = (Vec3::Z + rim(7) + rim(8)) / 3.0;
+        let positions = std::iter::once(Vec3::Z).chain((0..count).map(rim)).chain([end]).collect();
+        let fan = (0..count).map(|index| [0, 1 + index, 1 + (index + 1) % count]);
+        let triangles = fan.chain([[0, count + 1, count + 1]]).collect();
+        let tree = FaceTree::new(&TriangleMesh::new(positions, triangles).unwrap());
+        let visited = |ends: [Vec3; 2], vertices| {
+            let mut faces = Vec::new();
+            tree.faces_at(ends, vertices, |face| faces.push(face.get()));
+            faces
+        };
+        assert!(visited([Vec3::Z, rim(3)], [0, 4]).len() < 20, "only those at the rim");
+        assert!(visited([Vec3::Z, end], [0, count + 1]).contains(&7), "that on which it ends");
+        assert!(
+            visited([Vec3::Z, rim(3)], [count + 5, 4]).len() > 400,
+            "all, for one that only begins in the same place"
+        );
+        let across = visited([Vec3::new(0.5, 0.0, 0.0), Vec3::new(0.5, 0.0, 2.0)], [u32::MAX; 2]);
+        assert!((1..20).contains(&across.len()), "{across:?}");
+    }
+
+    proptest! {
+        /// Any face that a segment between vertices passes through is among the candidates.
+        #[test]
+        fn no_face_that_a_segment_passes_through_is_missing(
+            corners in prop::collection::vec(prop::array::uniform3(-20_i32..20), 3..60),
+            exponent in -60..60, offset in -1000_i32..1000,
+        ) {
+            let scale = 2.0_f32.powi(exponent);
+            let positions: Vec<Vec3> =
+                corners.iter().map(|&p| Vec3::from(p.map(|c| (c + offset) as f32)) * scale).collect();
+            let faces = positions.len() as u32 / 3;
+            let triangles: Vec<[u32; 3]> = (0..faces).map(|face| [0, 1, 2].map(|slot| 3 * face + slot)).collect();
+            let mesh = TriangleMesh::new(positions.clone(), triangles).unwrap();
+            let tree = FaceTree::new(&mesh);
+            for ends in positions.windows(2).map(|pair| [pair[0], pair[1]]) {
+                let mut met = Vec::new();
+                tree.faces_at(ends, [u32::MAX; 2], |face| met.push(face));
+                for face in (0..faces).map(FaceId::new) {
+                    prop_assert!(passage(ends, mesh.corners(face)).is_none() || met.contains(&face));
                 }
             }
         }
@@ -220,6 +356,6 @@ mod tests {
     #[test]
     fn an_empty_mesh_has_no_candidates() {
         let tree = FaceTree::new(&TriangleMesh::new(Vec::new(), Vec::new()).unwrap());
-        tree.faces_at(Vec3::ZERO, Vec3::ONE, |_| panic!("no face"));
+        tree.faces_at([Vec3::ZERO, Vec3::ONE], [0, 1], |_| panic!("no face"));
     }
 }

@@ -31,8 +31,12 @@ use std::time::Instant;
 /// more. Some ten seconds on one core. A picture that takes more is a tangle that no line drawing shows.
 pub const MAX_WORK: u64 = 2_000_000_000;
 
-/// Most places in one view where invisibility may change, beyond eight per stroke.
-pub const MAX_EVENTS: u64 = 2_000_000;
+/// Most places in one view where invisibility may change, or eight per stroke where that is more. They take some 80 bytes
+/// each.
+pub const MAX_EVENTS: u64 = 8_000_000;
+
+/// Most pieces of lines in one view, beyond one per stroke: some 500 bytes each, until they are drawn.
+pub const MAX_PIECES: u64 = 1_500_000;
 
 /// Why there are no lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -44,6 +48,9 @@ pub enum LineError {
     /// Too many edges or faces lie over each other in this view.
     #[error("too many edges or faces lie over each other in this view; choose another view or fewer kinds of edges")]
     TooCrowded,
+    /// Too many faces lie in one place, or pass through each other, to find the lines in which they do.
+    #[error("too many faces pass through each other to draw the lines in which they do; leave out --intersections")]
+    TooManyIntersections,
 }
 
 /// Finds the lines of any view of a scene.
@@ -143,6 +150,9 @@ impl LineFinder {
         let mut first_id = mesh.vertex_count() as u32;
         if options.intersection {
             let found = self.scene.mesh().artefact::<FaceIntersections>(NAME, progress)?;
+            if found.is_too_crowded() {
+                return Err(LineError::TooManyIntersections);
+            }
             first_id = push_intersections(&self.scene, &found, &mut strokes);
         }
         if options.curves {

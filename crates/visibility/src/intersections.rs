@@ -1,25 +1,30 @@
-//! [`FaceIntersections`]: the segments in which faces pass through each other.
+//! [`FaceIntersections`]: the segments in which surfaces pass through each other.
 //!
-//! Two faces that intersect in a segment do so because edges of one pass through the other, or a vertex of one lies on the
-//! other, or they share a vertex: two of these make a segment. Which edges pass through which faces is decided exactly; the ends of a segment are rounded to `f32`.
-//! Faces that overlap in one plane have no line of intersection.
+//! 1. Two faces have a segment in common because edges of one pass through the other, or a vertex of one lies on the other,
+//!    or they share a vertex: two of these make a segment.
+//! 2. It counts where the surfaces go through each other there, and not where one only ends on the other or both only touch,
+//!    as the patches of a model along their seams: `sheets.rs`.
+//!
+//! All of this is decided exactly; the ends of a segment are rounded to `f32`. Faces that overlap in one plane have no line
+//! of intersection.
 
 use crate::face_tree::FaceTree;
 use crate::piercing::{holds, passage};
+use crate::sheets::pass_through;
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
 use silhouette_core::orientation::orientation;
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{Cancelled, EdgeId, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
-use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// An end of a segment of intersection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntersectionEnd {
     /// Its place, rounded.
     pub place: Vec3,
-    /// What tells it from other ends: a mesh vertex, or V plus the index of the place where an edge passes through a face.
-    /// Segments that continue each other have one in common.
+    /// What distinguishes it from other ends: a mesh vertex, or V plus the index of the place where an edge passes through a
+    /// face. Segments that continue each other have one in common.
     pub id: u32,
 }
 
@@ -32,17 +37,35 @@ pub struct Intersection {
     pub faces: [FaceId; 2],
 }
 
-/// All segments in which faces of a mesh intersect, ordered by faces.
+/// All segments in which the surfaces of a mesh pass through each other, ordered by faces.
 #[derive(Debug, Clone, Default)]
-pub struct FaceIntersections(Vec<Intersection>);
+pub struct FaceIntersections {
+    segments: Vec<Intersection>,
+    too_crowded: bool,
+}
 
 /// Edges that a task takes.
-const EDGES_PER_TASK: usize = 1024;
+const EDGES_PER_TASK: usize = 256;
+
+/// Faces that all edges may look at beyond [`FACES_PER_EDGE`] each: some ten seconds of work on one core.
+const MOST_FACES: u64 = 100_000_000;
+
+/// Faces near an edge of an ordinary surface.
+const FACES_PER_EDGE: u64 = 64;
+
+/// Most meetings of an edge and a face, beyond one per edge: they take 32 bytes each, and as much again for each face at
+/// the edge.
+const MOST_MEETINGS: u64 = 2_000_000;
 
 impl FaceIntersections {
-    /// The segments.
+    /// The segments; none where there are [too many](Self::is_too_crowded).
     pub fn as_slice(&self) -> &[Intersection] {
-        &self.0
+        &self.segments
+    }
+
+    /// Whether so many faces lie in one place, or pass through each other, that they were not all looked at.
+    pub fn is_too_crowded(&self) -> bool {
+        self.too_crowded
     }
 
     /// Finds all segments. O(E log F + segments log segments), parallel.
@@ -54,17 +77,34 @@ impl FaceIntersections {
     ) -> Result<Self, Cancelled> {
         let edges: Vec<EdgeId> = topology.edges().ids().collect();
         progress.stage("intersections", edges.len() as u64);
-        let passages = |edges: &[EdgeId]| -> Result<Vec<Meeting>, Cancelled> {
+        let (looked_at, met) = (AtomicU64::new(0), AtomicU64::new(0));
+        let most_faces = MOST_FACES + FACES_PER_EDGE * edges.len() as u64;
+        let most_meetings = MOST_MEETINGS + edges.len() as u64;
+        let is_crowded =
+            || looked_at.load(Ordering::Relaxed) > most_faces || met.load(Ordering::Relaxed) > most_meetings;
+        let meetings = |edges: &[EdgeId]| -> Result<Vec<Meeting>, Cancelled> {
             progress.check()?;
             let mut found = Vec::new();
-            edges.iter().for_each(|&edge| passages_of(mesh, topology, tree, edge, &mut found));
+            for &edge in edges {
+                if is_crowded() {
+                    break;
+                }
+                let before = found.len();
+                looked_at.fetch_add(meetings_of(mesh.mesh(), topology, tree, edge, &mut found), Ordering::Relaxed);
+                met.fetch_add((found.len() - before) as u64, Ordering::Relaxed);
+            }
             progress.advance(edges.len() as u64);
             Ok(found)
         };
-        let found: Result<Vec<_>, Cancelled> = edges.par_chunks(EDGES_PER_TASK).map(passages).collect();
-        let mut places = found?.concat();
-        places.sort_unstable_by_key(|meeting| (meeting.edge, meeting.face, meeting.vertex));
-        Ok(Self(segments(mesh, topology, &places)))
+        let found: Result<Vec<_>, Cancelled> = edges.par_chunks(EDGES_PER_TASK).map(meetings).collect();
+        let found = found?;
+        if is_crowded() {
+            return Ok(Self { segments: Vec::new(), too_crowded: true });
+        }
+        let mut found = found.concat();
+        found.sort_unstable_by_key(|meeting| (meeting.edge, meeting.face, meeting.vertex));
+        progress.check()?;
+        Ok(Self { segments: segments(mesh.mesh(), topology, &found), too_crowded: false })
     }
 }
 
@@ -78,11 +118,19 @@ struct Meeting {
     place: Vec3,
 }
 
-fn passages_of(mesh: &PreparedMesh, topology: &Topology, tree: &FaceTree, edge: EdgeId, found: &mut Vec<Meeting>) {
-    let mesh = mesh.mesh();
+/// Appends the meetings of an edge; yields how many faces were looked at.
+fn meetings_of(
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    tree: &FaceTree,
+    edge: EdgeId,
+    found: &mut Vec<Meeting>,
+) -> u64 {
     let vertices = topology.edges()[edge];
     let ends = vertices.map(|vertex| mesh.positions()[vertex as usize]);
-    tree.faces_at(ends[0], ends[1], |face| {
+    let mut looked_at = 0;
+    tree.faces_at(ends, vertices, |face| {
+        looked_at += 1;
         let (around, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
         if vertices.iter().any(|vertex| around.contains(vertex)) {
             return;
@@ -97,6 +145,7 @@ fn passages_of(mesh: &PreparedMesh, topology: &Topology, tree: &FaceTree, edge: 
             }
         }
     });
+    looked_at
 }
 
 /// Whether two faces lie in one plane, in which they have no line of intersection.
@@ -105,35 +154,42 @@ fn are_coplanar(mesh: &TriangleMesh, [one, other]: [FaceId; 2]) -> bool {
     mesh.corners(other).iter().all(|&corner| orientation(a, b, c, corner) == 0.0)
 }
 
-fn segments(mesh: &PreparedMesh, topology: &Topology, places: &[Meeting]) -> Vec<Intersection> {
-    let mesh = mesh.mesh();
-    let mut ends_of: BTreeMap<[FaceId; 2], Vec<IntersectionEnd>> = BTreeMap::new();
-    for (index, &Meeting { edge, face, vertex, place }) in places.iter().enumerate() {
+fn segments(mesh: &TriangleMesh, topology: &Topology, meetings: &[Meeting]) -> Vec<Intersection> {
+    let mut ends: Vec<([FaceId; 2], IntersectionEnd)> = Vec::with_capacity(2 * meetings.len());
+    for (index, &Meeting { edge, face, vertex, place }) in meetings.iter().enumerate() {
         let id = vertex.unwrap_or((mesh.vertex_count() + index) as u32);
-        for other in topology.faces(edge) {
-            let pair = [other.min(face), other.max(face)];
-            ends_of.entry(pair).or_default().push(IntersectionEnd { place, id });
-        }
+        let end = IntersectionEnd { place, id };
+        ends.extend(topology.faces(edge).map(|other| ([other.min(face), other.max(face)], end)));
     }
-    ends_of.retain(|&faces, _| !are_coplanar(mesh, faces));
-    let mut segments = Vec::new();
-    for (faces, mut ends) in ends_of {
-        let [one, other] = faces.map(|face| mesh.triangles()[face.index()]);
-        let shared = one.into_iter().find(|vertex| other.contains(vertex));
-        ends.extend(shared.map(|id| IntersectionEnd { place: mesh.positions()[id as usize], id }));
-        // More than two where an edge passes exactly through a rim: the farthest two.
-        let mut best: Option<(f64, [IntersectionEnd; 2])> = None;
-        for (index, &one) in ends.iter().enumerate() {
-            for &other in &ends[index + 1..] {
-                let distance = one.place.as_dvec3().distance_squared(other.place.as_dvec3());
-                if distance > best.map_or(0.0, |(longest, _)| longest) {
-                    best = Some((distance, [one, other]));
-                }
+    ends.par_sort_by_key(|(faces, end)| (*faces, end.id));
+    ends.dedup_by_key(|(faces, end)| (*faces, end.id));
+    let of_pairs: Vec<&[([FaceId; 2], IntersectionEnd)]> = ends.chunk_by(|one, other| one.0 == other.0).collect();
+    of_pairs.par_iter().with_min_len(64).filter_map(|of_pair| segment(mesh, topology, of_pair)).collect()
+}
+
+/// The segment of two faces that have these ends in common.
+fn segment(
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    of_pair: &[([FaceId; 2], IntersectionEnd)],
+) -> Option<Intersection> {
+    let faces = of_pair[0].0;
+    let [one, other] = faces.map(|face| mesh.triangles()[face.index()]);
+    let shared = one.into_iter().find(|vertex| other.contains(vertex));
+    let shared = shared.map(|id| IntersectionEnd { place: mesh.positions()[id as usize], id });
+    // More than two where an edge passes exactly through a rim: the farthest two.
+    let ends: Vec<IntersectionEnd> = of_pair.iter().map(|(_, end)| *end).chain(shared).collect();
+    let mut best: Option<(f64, [IntersectionEnd; 2])> = None;
+    for (index, &one) in ends.iter().enumerate() {
+        for &other in &ends[index + 1..] {
+            let distance = one.place.as_dvec3().distance_squared(other.place.as_dvec3());
+            if distance > best.map_or(0.0, |(longest, _)| longest) {
+                best = Some((distance, [one, other]));
             }
         }
-        segments.extend(best.map(|(_, ends)| Intersection { ends, faces }));
     }
-    segments
+    let (_, ends) = best?;
+    (!are_coplanar(mesh, faces) && pass_through(mesh, topology, faces)).then_some(Intersection { ends, faces })
 }
 
 impl Artefact for FaceIntersections {
@@ -146,7 +202,7 @@ impl Artefact for FaceIntersections {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self.0.as_slice())
+        size_of_val(self.segments.as_slice())
     }
 }
 
@@ -154,6 +210,7 @@ impl Artefact for FaceIntersections {
 mod tests {
     use super::*;
     use silhouette_core::{NoProgress, shapes};
+    use std::collections::BTreeMap;
 
     fn intersections(mesh: TriangleMesh) -> FaceIntersections {
         let mesh = PreparedMesh::new(mesh);

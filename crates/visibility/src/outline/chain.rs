@@ -1,7 +1,7 @@
 //! Step 1: the contours as directed edges of the picture.
 
 use super::cycles::walks;
-use super::lattice::{DirectedEdge, snap};
+use super::lattice::{DirectedEdge, Point, snap};
 use crate::contours::Contour;
 use crate::frame::{Homogeneous, PictureFrame};
 use rayon::prelude::*;
@@ -41,6 +41,22 @@ pub fn chain(contours: &[Contour], frame: &PictureFrame, margin_px: f64) -> Vec<
         cut.extend(polygon.iter().zip(next).filter_map(|(from, to)| directed([*from, *to], 1)));
     }
     cut
+}
+
+/// A chain that bounds the same, in which edges with the same ends are one. O(edges log edges).
+pub fn without_repeats(chain: Vec<DirectedEdge>) -> Vec<DirectedEdge> {
+    let undirected = |edge: DirectedEdge| {
+        let layers = i64::from(edge.layers);
+        if edge.from < edge.to { (edge.from, edge.to, layers) } else { (edge.to, edge.from, -layers) }
+    };
+    let mut edges: Vec<_> = chain.into_iter().map(undirected).collect();
+    edges.sort_unstable();
+    let sum = |same: &[(Point, Point, i64)]| {
+        let (from, to, layers) = (same[0].0, same[0].1, same.iter().map(|(.., layers)| layers).sum::<i64>());
+        let [from, to] = if layers > 0 { [from, to] } else { [to, from] };
+        (layers != 0).then_some(DirectedEdge { from, to, layers: layers.unsigned_abs() as u32 })
+    };
+    edges.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1)).filter_map(sum).collect()
 }
 
 /// A contour as a directed edge.

@@ -5,6 +5,9 @@ use super::lattice::{Cells, DirectedEdge, Point};
 /// Cells per edge of the chain.
 const CELLS_PER_EDGE: usize = 6;
 
+/// Cells that an edge passes on average, at most: long edges get larger cells, so that the map stays linear.
+const CELLS_PASSED: f64 = 64.0;
+
 /// The part of an edge in one cell.
 #[derive(Debug, Clone, Copy)]
 pub struct Part {
@@ -96,7 +99,10 @@ impl ChainMap {
     }
 
     fn over(chain: &[DirectedEdge], wanted: usize) -> Self {
-        let cells = Cells::around(&|| chain.iter().flat_map(|edge| [edge.from, edge.to]), wanted);
+        let length =
+            |edge: &DirectedEdge| (0..2).map(|axis| edge.from[axis].abs_diff(edge.to[axis]) as f64).fold(0.0, f64::max);
+        let least_side = chain.iter().map(length).sum::<f64>() / (chain.len().max(1) as f64 * CELLS_PASSED);
+        let cells = Cells::around(&|| chain.iter().flat_map(|edge| [edge.from, edge.to]), wanted, least_side);
         let [columns, rows] = cells.count;
         let (mut parts, mut first_part) = (Vec::with_capacity(3 * chain.len()), vec![0]);
         let (mut along_x, mut along_y) = (Vec::with_capacity(2 * chain.len()), Vec::with_capacity(2 * chain.len()));

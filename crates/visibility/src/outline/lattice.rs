@@ -48,8 +48,8 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// About `wanted` square cells around all points, at least one.
-    pub fn around<I: Iterator<Item = Point>>(points: &dyn Fn() -> I, wanted: usize) -> Self {
+    /// About `wanted` square cells around all points, at least one, none smaller than `least_side`.
+    pub fn around<I: Iterator<Item = Point>>(points: &dyn Fn() -> I, wanted: usize, least_side: f64) -> Self {
         let bound = |fold: fn(i64, i64) -> i64, start: i64, axis: usize| {
             points().fold(start, |bound, point| fold(bound, point[axis]))
         };
@@ -60,6 +60,7 @@ impl Cells {
         }
         let size = [0, 1].map(|axis| (high[axis] - low[axis] + 2) as f64);
         let step = (size[0] * size[1] / wanted as f64).sqrt().max(size[0].max(size[1]) / wanted as f64);
+        let step = step.max(least_side);
         let step = (step * 0.5).ceil().max(1.0) as i64 * 2;
         let count = [0, 1].map(|axis| ((high[axis] - low[axis] + 2) as u64).div_ceil(step as u64) as usize);
         Self { origin: low.map(|low| low - 1), step, count }
@@ -125,7 +126,7 @@ mod tests {
             ends in prop::array::uniform2(prop::array::uniform2(-500.0_f64..500.0)), wanted in 1_usize..300,
         ) {
             let [from, to] = ends.map(|[x, y]| snap(DVec2::new(x, y)));
-            let cells = Cells::around(&|| [from, to].into_iter(), wanted);
+            let cells = Cells::around(&|| [from, to].into_iter(), wanted, 0.0);
             let (mut at, mut visited) = (from, Vec::new());
             cells.walk(from, to, |cell, enter, leave| {
                 assert_eq!(enter, at);

@@ -81,7 +81,8 @@ pub fn outline(contours: &[Contour], frame: &PictureFrame, progress: &dyn Progre
     progress.check()?;
     let chain = chain::chain(contours, frame, frame.size().max_element() * SURROUNDINGS);
     progress.check()?;
-    let bounds = resolve::resolve(&chain)?;
+    // Only a crowd is worth looking for edges that lie on each other.
+    let bounds = resolve::resolve(&chain).or_else(|_| resolve::resolve(&chain::without_repeats(chain)))?;
     progress.check()?;
     Ok(union::union(&cycles::cycles(bounds)))
 }
