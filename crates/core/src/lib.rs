@@ -3,10 +3,10 @@
 //! Read [`method`] first when you add a method: it is the whole contract. The rest, in the order data flows:
 //!
 //! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
-//! 2. [`weld`]: merging of coincident vertices, on request only. [`inspect`]: what is wrong with a mesh, with ids.
+//! 2. [`weld`]: merging of coincident vertices, [`heal`]: mending of T-junctions, both on request only. [`inspect`]: what is wrong with a mesh, with ids.
 //! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh.
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
-//! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
+//! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint; [`displaced`]: the same for a viewer in general position. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
 //!
@@ -17,6 +17,7 @@ pub mod displaced;
 mod exact;
 pub mod facing;
 pub mod facing_memo;
+pub mod heal;
 pub mod id;
 pub mod inspect;
 pub mod load;

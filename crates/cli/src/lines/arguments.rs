@@ -30,6 +30,10 @@ pub struct LinesArguments {
     /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries [--weld alone: 0]
     #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
     pub weld: Option<f32>,
+    /// Divides edges at vertices that lie on them, no farther than this, in units of the mesh, so that T-junctions are no
+    /// boundaries; joins vertices as --weld does [--heal alone: a millionth of the mesh's largest extent]
+    #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "auto")]
+    pub heal: Option<HealDistance>,
     /// Say on standard error what was found, how long each stage took and how far the lifted pen travels
     #[arg(long)]
     pub stats: bool,
@@ -65,6 +69,9 @@ struct WhichLines {
     /// Every edge of the mesh
     #[arg(long)]
     all_edges: bool,
+    /// No boundary edges
+    #[arg(long)]
+    no_boundaries: bool,
     /// Lines in which faces pass through each other
     #[arg(long)]
     intersections: bool,
@@ -184,6 +191,26 @@ enum JoinArgument {
     Bevel,
 }
 
+/// How far a vertex may lie from the edge that it divides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HealDistance {
+    /// A millionth of the mesh's largest extent.
+    Auto,
+    /// In units of the mesh.
+    Units(f32),
+}
+
+impl FromStr for HealDistance {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "auto" => Ok(Self::Auto),
+            number => number.parse().map(Self::Units).map_err(|_| "expected a distance such as 0.001".to_owned()),
+        }
+    }
+}
+
 /// What the outline's pen is called.
 const OUTLINE: &str = "outline";
 /// What the pattern of hidden lines is called.
@@ -202,7 +229,7 @@ impl LinesArguments {
         let all_depths = matches!(which.hidden, Some(HiddenArgument::Dashed | HiddenArgument::Solid));
         LineOptions {
             silhouette: others,
-            boundary: others,
+            boundary: others && !which.no_boundaries,
             back_boundary: others,
             ridge_deg: which.creases.or(which.ridge).filter(|_| others),
             valley_deg: which.creases.or(which.valley).filter(|_| others),

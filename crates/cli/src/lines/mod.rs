@@ -6,10 +6,13 @@ mod stats;
 
 pub use arguments::LinesArguments;
 
+use arguments::HealDistance;
+
 use crate::failure::{Failure, note};
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
+use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::weld::weld_within;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
@@ -82,7 +85,7 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     output.write(&bytes)
 }
 
-/// The meshes with their names, welded if that is asked for.
+/// The meshes with their names, welded and healed if that is asked for.
 fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
     let mut meshes = input::labelled_meshes(&arguments.meshes, progress)?;
     if let Some(distance) = arguments.weld {
@@ -91,8 +94,37 @@ fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec
             loaded.mesh = welded.map_err(|error| Failure::Input(format!("--weld: {error}")))?.mesh;
         }
     }
+    if let Some(distance) = arguments.heal {
+        for (name, loaded) in &mut meshes {
+            heal(name, loaded, distance)?;
+        }
+    }
     Ok(meshes)
 }
+
+/// Mends the T-junctions of a mesh.
+fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result<(), Failure> {
+    let distance = match distance {
+        HealDistance::Units(distance) => distance,
+        HealDistance::Auto => {
+            let extent = loaded.mesh.bounds().map_or(0.0, |bounds| (bounds.max - bounds.min).max_element());
+            (extent * HEAL_SHARE) as f32
+        }
+    };
+    let healed = heal_t_junctions(&loaded.mesh, distance);
+    let healed = healed.map_err(|error| Failure::Input(format!("--heal: {error}")))?;
+    if healed.divided > 0 {
+        note(format!("{name}: {} edges divided at T-junctions", healed.divided));
+    }
+    if let Some(labels) = &mut loaded.labels {
+        *labels = healed.face_of.iter().map(|face| labels[face.index()]).collect();
+    }
+    loaded.mesh = healed.mesh;
+    Ok(())
+}
+
+/// How far a vertex may lie from an edge that it divides where no distance is given, as a share of the mesh's largest extent.
+const HEAL_SHARE: f64 = 1e-6;
 
 /// All meshes as one scene, with the labels of their faces if borders between them are wanted.
 fn scene_of(meshes: &[(String, LabelledMesh)], wants_labels: bool, names: &str) -> Result<LineScene, Failure> {
