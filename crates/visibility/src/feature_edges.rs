@@ -1,5 +1,6 @@
 //! Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
 
+use crate::inward::InwardSolids;
 use crate::kind::LineKind;
 use crate::options::LineOptions;
 use crate::scene::LineScene;
@@ -25,7 +26,10 @@ impl FeatureEdges {
     pub fn new(scene: &LineScene, topology: &Topology, unpaired: &UnpairedEdges, options: &LineOptions) -> Self {
         let looks_at_all =
             options.mesh || options.ridge_deg.is_some() || options.valley_deg.is_some() || scene.labels().is_some();
-        let judge = Judge { scene, mesh: scene.mesh().mesh(), topology, unpaired, options };
+        let mesh = scene.mesh().mesh();
+        let wants_creases = options.ridge_deg.is_some() || options.valley_deg.is_some();
+        let inward = wants_creases.then(|| InwardSolids::new(mesh, topology, unpaired));
+        let judge = Judge { scene, mesh, topology, unpaired, inward, options };
         let kind_of = |edge: EdgeId| judge.kind(edge).map(|kind| (edge, kind));
         let edges = if looks_at_all {
             (0..topology.edge_count()).into_par_iter().map(EdgeId::from_usize).filter_map(kind_of).collect()
@@ -46,6 +50,8 @@ struct Judge<'a> {
     mesh: &'a TriangleMesh,
     topology: &'a Topology,
     unpaired: &'a UnpairedEdges,
+    /// Where creases are wanted.
+    inward: Option<InwardSolids>,
     options: &'a LineOptions,
 }
 
@@ -92,27 +98,29 @@ impl Judge<'_> {
         // Perpendicular to the wing: wings of one plane on both sides of the edge have opposite ones.
         let across = |wing: &Wing| along.cross(wing.apex.as_dvec3() - a.as_dvec3());
         let angle = |one: DVec3, other: DVec3| one.cross(other).length().atan2(one.dot(other));
-        let mut distinct: Vec<(DVec3, &Wing)> = Vec::with_capacity(wings.len());
+        let mut distinct: Vec<(DVec3, Vec<&Wing>)> = Vec::with_capacity(wings.len());
         for wing in wings {
             let normal = across(wing);
-            if !distinct.iter().any(|(other, _)| angle(normal, *other) < SAME_WING_RAD) {
-                distinct.push((normal, wing));
+            match distinct.iter_mut().find(|(other, _)| angle(normal, *other) < SAME_WING_RAD) {
+                Some((_, same)) => same.push(wing),
+                None => distinct.push((normal, vec![wing])),
             }
         }
+        let all_like = |group: &[&Wing]| group.iter().all(|wing| self.is_like(edge, wing, group[0]));
         let least_bend = |index: usize| {
             let bends = distinct.iter().enumerate().filter(|(other, _)| *other != index);
             bends.map(|(_, (normal, _))| angle(distinct[index].0, -*normal)).fold(f64::INFINITY, f64::min)
         };
         let bend = if distinct.len() == 1 {
             // A sheet folded onto itself, unless it is one face listed twice.
-            if wings.iter().all(|wing| self.is_like(edge, wing, &wings[0])) { 0.0 } else { std::f64::consts::PI }
+            if all_like(&distinct[0].1) { 0.0 } else { std::f64::consts::PI }
         } else {
             (0..distinct.len()).map(least_bend).fold(0.0, f64::max)
         };
         let reaches = |threshold: Option<f64>| threshold.is_some_and(|least| bend.to_degrees() >= least);
-        let [is_ridge, is_valley] = match distinct[..] {
-            [(_, one), (_, other)] if !self.is_like(edge, one, other) => {
-                let is_ridge = self.is_ridge(one, other);
+        let [is_ridge, is_valley] = match &distinct[..] {
+            [(_, one), (_, other)] if all_like(one) && all_like(other) && !self.is_like(edge, one[0], other[0]) => {
+                let is_ridge = self.is_ridge(one[0], other[0]);
                 [is_ridge, !is_ridge]
             }
             _ => [true, true],
@@ -141,9 +149,10 @@ impl Judge<'_> {
     }
 
     /// Whether the surface of two consistently wound wings is convex: seen from the outer side of one, the other lies below
-    /// its plane or in it.
+    /// its plane or in it. The outer side of a solid that is wound inward is the other one.
     fn is_ridge(&self, one: &Wing, other: &Wing) -> bool {
         let [u, v, w] = self.mesh.corners(one.face);
-        orientation(u, v, w, other.apex) <= 0.0
+        let is_inward = self.inward.as_ref().is_some_and(|inward| inward.contains(one.face));
+        orientation(u, v, w, other.apex) * if is_inward { -1.0 } else { 1.0 } <= 0.0
     }
 }

@@ -68,7 +68,7 @@ pub struct LineFinder {
     clear_edges: ClearEdges,
 }
 
-/// An edge that is shorter in the picture may be seen end on.
+/// An edge that is shorter in the picture, beyond what rounding may add, may be seen end on.
 const END_ON_PX: f64 = 1e-6;
 
 /// Who asks for artefacts.
@@ -223,5 +223,6 @@ impl LineFinder {
 /// What is drawn of a stroke: nothing of one that is seen end on, which has no place in the picture but a point.
 fn drawn_range(frame: &PictureFrame, viewpoint: &Viewpoint, stroke: &Stroke) -> Option<[f64; 2]> {
     let clipped = frame.clip_drawn(stroke.ends, 0.0)?;
-    (clipped.length_px() > END_ON_PX || !stroke.is_seen_end_on(viewpoint)).then_some(clipped.range)
+    let is_long = clipped.length_px() > END_ON_PX + 2.0 * clipped.doubt_px;
+    (is_long || !stroke.is_seen_end_on(viewpoint)).then_some(clipped.range)
 }

@@ -6,6 +6,7 @@ mod closed_forms;
 mod determinism;
 mod drawings;
 mod hostile;
+mod invariance;
 mod octants;
 mod oracle;
 mod outline;

@@ -120,24 +120,50 @@ fn views_along_axes_agree_with_brute_force() {
     }
 }
 
+const MODELS: [&str; 8] = [
+    "cow.obj",
+    "spot.obj",
+    "fandisk.obj",
+    "suzanne.obj",
+    "teapot.obj",
+    "homer.obj",
+    "stanford-bunny.obj",
+    "armadillo.obj",
+];
+
+fn is_thorough() -> bool {
+    std::env::var_os("SILHOUETTES_ORACLE").is_some()
+}
+
 #[test]
 fn real_models_agree_with_brute_force() {
-    let thorough = std::env::var_os("SILHOUETTES_ORACLE").is_some();
-    let (views, wanted) = if thorough { (10, 10_000) } else { (2, 150) };
-    let models = [
-        "cow.obj",
-        "spot.obj",
-        "fandisk.obj",
-        "suzanne.obj",
-        "teapot.obj",
-        "homer.obj",
-        "stanford-bunny.obj",
-        "armadillo.obj",
-    ];
-    for name in models {
+    let (views, wanted) = if is_thorough() { (10, 10_000) } else { (2, 150) };
+    for name in MODELS {
         if let Some(mesh) = model(name) {
             check(name, &mesh, views, wanted, &LineOptions::default());
         }
+    }
+}
+
+/// Along axes, faces of real models are exactly edge-on, and halves of symmetric ones coincide.
+#[test]
+fn real_models_along_axes_agree_with_brute_force() {
+    let wanted = if is_thorough() { 4000 } else { 60 };
+    for name in MODELS {
+        let Some(mesh) = model(name) else { continue };
+        let mut sum = Tally::default();
+        for direction in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z] {
+            for perspective in if is_thorough() { &[false, true][..] } else { &[false][..] } {
+                let camera = framing(&mesh, direction, *perspective);
+                let tally = compare(&mesh, &all_lines(&mesh, &camera, &LineOptions::default()), wanted);
+                assert_eq!(tally.wrong, 0, "{name} along {direction}, perspective {perspective}: {tally:?}");
+                sum.samples += tally.samples;
+                sum.ties += tally.ties;
+                sum.hidden += tally.hidden;
+            }
+        }
+        eprintln!("{name} along axes: {sum:?}");
+        assert!(sum.samples > wanted, "{name}: {sum:?}");
     }
 }
 
