@@ -34,7 +34,10 @@ pub struct Healed {
 /// expected.
 ///
 /// # Errors
-/// [`WeldError::Tolerance`] where `distance` is none.
+/// [`WeldError::Tolerance`] where `distance` is negative, infinite or NaN.
+///
+/// # Panics
+/// Where the divided mesh would have more than [`MAX_FACES`](crate::mesh::MAX_FACES) faces.
 pub fn heal_t_junctions(mesh: &TriangleMesh, distance: f32) -> Result<Healed, WeldError> {
     let welded = weld_within(mesh, distance)?;
     let distance = f64::from(distance);

@@ -3,7 +3,7 @@
 //! On most meshes almost no edge meets a face that it does not share a vertex with, and whether it does is the same from
 //! everywhere. Each edge that a view has asked about is remembered; for many views, all are asked beforehand.
 
-use crate::face_tree::FaceTree;
+use crate::face_tree::{Candidate, FaceTree};
 use crate::piercing::{Passage, passage, touches};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
@@ -41,30 +41,21 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// Visits its meetings with faces, those left out for which `is_own` holds; yields how many faces were looked at. Exact but
-    /// for `touched`, which may tell of a point beside a corner in the face's plane. O(log F + faces around it).
-    pub fn for_each_meeting(
-        &self,
-        mesh: &TriangleMesh,
-        tree: &FaceTree,
-        is_own: impl Fn(FaceId) -> bool,
-        mut visit: impl FnMut(Meeting),
-    ) -> u64 {
-        let mut looked_at = 0;
-        tree.faces_at(self.ends, self.vertices, |face| {
-            looked_at += 1;
-            if is_own(face) {
-                return;
-            }
-            let (of_face, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
-            let shared = self.vertices.map(|vertex| of_face.contains(&vertex));
-            let touched = [0, 1].map(|end: usize| !shared[end] && touches(self.ends[end], corners));
-            let passage = if shared == [false; 2] { passage(self.ends, corners) } else { None };
-            if touched != [false; 2] || passage.is_some() {
-                visit(Meeting { face, touched, passage });
-            }
-        });
-        looked_at
+    /// How this segment meets a face that may lie along it. Exact but for `touched`, which may tell of a point beside a corner
+    /// in the face's plane. O(1).
+    #[inline]
+    pub fn meeting(&self, mesh: &TriangleMesh, candidate: &Candidate) -> Option<Meeting> {
+        let &Candidate { face, vertices, may_hold } = candidate;
+        let shared = self.vertices.map(|vertex| vertices.contains(&vertex));
+        let may_touch = [0, 1].map(|end: usize| may_hold[end] && !shared[end]);
+        let may_pass = shared == [false; 2];
+        if !may_pass && may_touch == [false; 2] {
+            return None;
+        }
+        let corners = mesh.corners(face);
+        let touched = [0, 1].map(|end: usize| may_touch[end] && touches(self.ends[end], corners));
+        let passage = if may_pass { passage(self.ends, corners) } else { None };
+        (touched != [false; 2] || passage.is_some()).then_some(Meeting { face, touched, passage })
     }
 }
 
@@ -97,21 +88,29 @@ impl ClearEdges {
         let words = (0..known.0.len()).into_par_iter().with_min_len(WORDS_PER_TASK);
         words.try_for_each(|word| {
             progress.check()?;
-            for edge in word * EDGES_PER_WORD..edges.min((word + 1) * EDGES_PER_WORD) {
-                if looked_at.load(Ordering::Relaxed) > most {
-                    break;
-                }
-                let edge = EdgeId::from_usize(edge);
-                let vertices = topology.edges()[edge];
-                let segment = Segment { ends: vertices.map(|vertex| mesh.positions()[vertex as usize]), vertices };
-                let mut is_clear = true;
-                let is_own = |face| topology.faces(edge).any(|own| own == face);
-                let faces = segment.for_each_meeting(mesh, tree, is_own, |_| is_clear = false);
-                looked_at.fetch_add(faces, Ordering::Relaxed);
-                if is_clear {
-                    known.insert(edge);
-                }
+            if looked_at.load(Ordering::Relaxed) > most {
+                return Ok(());
             }
+            let of_word = word * EDGES_PER_WORD..edges.min((word + 1) * EDGES_PER_WORD);
+            let segment = |edge: usize| {
+                let vertices = topology.edges()[EdgeId::from_usize(edge)];
+                (vertices.map(|vertex| mesh.positions()[vertex as usize]), vertices)
+            };
+            let segments: Vec<_> = of_word.clone().map(segment).collect();
+            let (mut is_clear, mut faces) = (vec![true; segments.len()], 0);
+            tree.faces_at_each(&segments, |index, candidate| {
+                faces += 1;
+                let (ends, vertices) = segments[index];
+                let is_own =
+                    || topology.faces(EdgeId::from_usize(of_word.start + index)).any(|own| own == candidate.face);
+                let meets = || Segment { ends, vertices }.meeting(mesh, &candidate).is_some();
+                is_clear[index] &= !meets() || is_own();
+            });
+            looked_at.fetch_add(faces, Ordering::Relaxed);
+            of_word
+                .zip(is_clear)
+                .filter(|(_, clear)| *clear)
+                .for_each(|(edge, _)| known.insert(EdgeId::from_usize(edge)));
             progress.advance(1);
             Ok(())
         })?;

@@ -125,6 +125,9 @@ pub struct Cuts {
 /// Edges that a task takes: some 0.1 ms of work.
 const EDGES_PER_TASK: usize = 64;
 
+/// Strokes that a task puts in order: some 0.05 ms of work.
+const ORDERED_PER_TASK: usize = 2048;
+
 /// What an exact test of a crossing costs, in pairs that pass the same cell.
 const EXACT_PAIR: u64 = 64;
 
@@ -154,29 +157,48 @@ impl Cutter<'_> {
     /// # Errors
     /// [`LineError`].
     pub fn cut(&self, progress: &dyn Progress) -> Result<Cuts, LineError> {
-        progress.stage("visible lines", self.edges.len() as u64);
+        let mut asked: Vec<(u32, u32)> = (0..self.strokes.strokes.len() as u32)
+            .into_par_iter()
+            .with_min_len(ORDERED_PER_TASK)
+            .filter(|&index| self.asks_for_piercings(index))
+            .map(|index| (self.sight.tree.key_of_place(self.strokes.strokes[index as usize].at(0.5)), index))
+            .collect();
+        // Those that are close to each other look at the same faces.
+        asked.par_sort_unstable();
+        let asked: Vec<u32> = asked.into_iter().map(|(_, index)| index).collect();
+
+        let (edges, strokes) = (self.edges.len(), asked.len());
+        let (of_crossings, of_piercings) = (edges.div_ceil(EDGES_PER_TASK), strokes.div_ceil(EDGES_PER_TASK));
+        progress.stage("visible lines", (edges + strokes) as u64);
         let (work, events) = (AtomicU64::new(0), AtomicU64::new(0));
         let most_events = MAX_EVENTS.max(8 * self.strokes.strokes.len() as u64);
         let is_crowded = || work.load(Ordering::Relaxed) > MAX_WORK || events.load(Ordering::Relaxed) > most_events;
-        let find = |scratch: &mut Scratch, chunk: usize| {
+        let find = |scratch: &mut Scratch, task: usize| {
             progress.check()?;
-            let first = chunk * EDGES_PER_TASK;
             let mut found = Found::default();
-            for index in first..self.edges.len().min(first + EDGES_PER_TASK) {
-                let before = (found.stats.work, found.events.len() as u64);
-                self.find_crossings(index as u32, scratch, &mut found);
-                self.find_piercings(index as u32, &mut found);
+            let count = |found: &Found, before: (u64, u64)| {
                 work.fetch_add(found.stats.work - before.0, Ordering::Relaxed);
                 events.fetch_add(found.events.len() as u64 - before.1, Ordering::Relaxed);
-                if is_crowded() {
-                    return Err(LineError::TooCrowded);
+                if is_crowded() { Err(LineError::TooCrowded) } else { Ok(()) }
+            };
+            let chunk = |task: usize, of: usize| task * EDGES_PER_TASK..of.min((task + 1) * EDGES_PER_TASK);
+            if task < of_crossings {
+                for index in chunk(task, edges) {
+                    let before = (found.stats.work, found.events.len() as u64);
+                    self.find_crossings(index as u32, scratch, &mut found);
+                    count(&found, before)?;
                 }
+                progress.advance(chunk(task, edges).len() as u64);
+            } else {
+                let chunk = chunk(task - of_crossings, strokes);
+                self.find_piercings(&asked[chunk.clone()], &mut found);
+                count(&found, (0, 0))?;
+                progress.advance(chunk.len() as u64);
             }
-            progress.advance((self.edges.len().min(first + EDGES_PER_TASK) - first) as u64);
             Ok(found)
         };
-        let chunks = (0..self.edges.len().div_ceil(EDGES_PER_TASK)).into_par_iter();
-        let found: Result<Vec<Found>, LineError> = chunks.map_init(Scratch::default, find).collect();
+        let tasks = (0..of_crossings + of_piercings).into_par_iter();
+        let found: Result<Vec<Found>, LineError> = tasks.map_init(Scratch::default, find).collect();
         let found = found?;
         if is_crowded() { Err(LineError::TooCrowded) } else { Ok(self.part(found)) }
     }
@@ -261,39 +283,49 @@ impl Cutter<'_> {
         event
     }
 
-    /// Appends the events at which a stroke passes through faces, and which of its ends touch one.
-    fn find_piercings(&self, index: u32, found: &mut Found) {
-        if !self.is_drawn(index) {
-            return;
+    /// Appends the events at which some strokes pass through faces, and which of their ends touch one. `strokes` are those
+    /// [of which it is to be asked](Self::asks_for_piercings).
+    fn find_piercings(&self, strokes: &[u32], found: &mut Found) {
+        let view = &self.sight.view;
+        let segment = |&index: &u32| {
+            let stroke = &self.strokes.strokes[index as usize];
+            (stroke.ends, stroke.vertices)
+        };
+        let segments: Vec<_> = strokes.iter().map(segment).collect();
+        let mut met = vec![(false, [false; 2], 0_u64); strokes.len()];
+        self.sight.tree.faces_at_each(&segments, |at, candidate| {
+            let ((ends, vertices), (is_met, touched, faces)) = (segments[at], &mut met[at]);
+            *faces += 1;
+            let Some(meeting) = (Segment { ends, vertices }).meeting(view.mesh, &candidate) else { return };
+            let stroke = &self.strokes.strokes[strokes[at] as usize];
+            if self.strokes.own_faces(stroke).contains(&meeting.face) {
+                return;
+            }
+            *is_met = true;
+            for (at_end, meets) in touched.iter_mut().zip(meeting.touched) {
+                *at_end |= meets;
+            }
+            let event = |passage| (strokes[at], piercing(passage, view.facing(meeting.face)));
+            found.events.extend(meeting.passage.map(event));
+        });
+        for (&index, (is_met, touched, faces)) in strokes.iter().zip(met) {
+            found.stats.work += faces.saturating_sub(USUAL_FACES) * CROWDED_FACE;
+            if touched != [false; 2] {
+                found.touched.push((index, touched));
+            }
+            if let (SegmentSource::Edge(edge), false) = (self.strokes.strokes[index as usize].source, is_met) {
+                self.clear_edges.insert(edge);
+            }
         }
-        let stroke = &self.strokes.strokes[index as usize];
-        let edge = if let SegmentSource::Edge(edge) = stroke.source { Some(edge) } else { None };
-        if edge.is_some_and(|edge| self.clear_edges.contains(edge)) {
-            return;
-        }
-        let (own, view) = (self.strokes.own_faces(stroke), &self.sight.view);
-        let (mut touched, mut is_clear) = ([false; 2], true);
-        let segment = Segment { ends: stroke.ends, vertices: stroke.vertices };
-        let looked_at = segment.for_each_meeting(
-            view.mesh,
-            self.sight.tree,
-            |face| own.contains(&face),
-            |meeting| {
-                is_clear = false;
-                for (at_end, meets) in touched.iter_mut().zip(meeting.touched) {
-                    *at_end |= meets;
-                }
-                let event = |passage| (index, piercing(passage, view.facing(meeting.face)));
-                found.events.extend(meeting.passage.map(event));
-            },
-        );
-        found.stats.work += looked_at.saturating_sub(USUAL_FACES) * CROWDED_FACE;
-        if touched != [false; 2] {
-            found.touched.push((index, touched));
-        }
-        if let Some(edge) = edge.filter(|_| is_clear) {
-            self.clear_edges.insert(edge);
-        }
+    }
+
+    /// Whether a stroke is drawn and may meet faces.
+    fn asks_for_piercings(&self, index: u32) -> bool {
+        self.is_drawn(index)
+            && match self.strokes.strokes[index as usize].source {
+                SegmentSource::Edge(edge) => !self.clear_edges.contains(edge),
+                SegmentSource::Curve(_) | SegmentSource::Intersection(_) => true,
+            }
     }
 
     /// Brings the events of each stroke together and parts the strokes at them.

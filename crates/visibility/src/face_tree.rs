@@ -33,6 +33,10 @@ const FAR: f32 = 8.0;
 /// segment. They are few then; it takes 7 % off the armadillo's preparation for many views.
 const SHORT: f32 = 1.0 / 16.0;
 
+/// Segments that are asked about together, at most, and how much larger than the largest of them they are all together.
+const TOGETHER: usize = 16;
+const SPREAD: f32 = 4.0;
+
 /// A number from 0 to 1 that looks random. Boxes are grown by different amounts so that of very many faces in one place no two
 /// have the same box: the builder pairs nearest neighbours, and would pair but one of equals in a round.
 fn spread(face: usize) -> f32 {
@@ -43,11 +47,45 @@ fn spread(face: usize) -> f32 {
 /// Faces around a vertex from which on they are a [`Fan`].
 const MOST_AROUND_A_VERTEX: u32 = 128;
 
+/// A face that may lie along a line.
+#[derive(Debug, Clone, Copy)]
+pub struct Candidate {
+    /// The face.
+    pub face: FaceId,
+    /// Its vertices.
+    pub vertices: [u32; 3],
+    /// Whether it may hold the segment's ends.
+    pub may_hold: [bool; 2],
+}
+
+/// A face with its grown box. What is looked at first of all faces near a line, side by side for those of a leaf.
+#[derive(Debug, Clone, Copy)]
+struct Leaf {
+    min: Vec3,
+    face: FaceId,
+    max: Vec3,
+    vertices: [u32; 3],
+}
+
+impl Leaf {
+    /// The face as a candidate for a segment, if its box meets that of the segment.
+    #[inline]
+    fn candidate(&self, segment: &LocalSegment) -> Option<Candidate> {
+        let (min, max) = (Vec3A::from(self.min), Vec3A::from(self.max));
+        let holds = |point: Vec3A| (min.cmple(point) & max.cmpge(point)).all();
+        (min.cmple(segment.high) & max.cmpge(segment.low)).all().then(|| Candidate {
+            face: self.face,
+            vertices: self.vertices,
+            may_hold: segment.ends.map(holds),
+        })
+    }
+}
+
 /// A hierarchy over some faces.
 struct Tree {
     bvh: Bvh2,
-    /// The faces in the order of the leaves, with their grown boxes, so that those of a leaf lie side by side.
-    leaves: Vec<(Aabb, FaceId)>,
+    /// The faces in the order of the leaves.
+    leaves: Vec<Leaf>,
 }
 
 /// The places of a leaf's faces in the order of the leaves.
@@ -70,9 +108,12 @@ fn build(boxes: &[Boxed]) -> Bvh2 {
 }
 
 impl Tree {
-    fn new(boxes: &[Boxed], faces: impl Fn(usize) -> FaceId) -> Self {
+    fn new(mesh: &TriangleMesh, boxes: &[Boxed], faces: impl Fn(usize) -> FaceId) -> Self {
         let bvh = build(boxes);
-        let leaf = |&index: &u32| (boxes[index as usize].0, faces(index as usize));
+        let leaf = |&index: &u32| {
+            let (Boxed(Aabb { min, max }), face) = (boxes[index as usize], faces(index as usize));
+            Leaf { min: min.into(), face, max: max.into(), vertices: mesh.triangles()[face.index()] }
+        };
         let leaves = bvh.primitive_indices.iter().map(leaf).collect();
         Self { bvh, leaves }
     }
@@ -85,13 +126,8 @@ impl Tree {
 
     /// Visits the faces that a segment may meet: a superset, each face once.
     #[inline]
-    fn faces_at(&self, segment: &LocalSegment, visit: &mut impl FnMut(FaceId)) {
-        let mut visit_near = |place: usize| {
-            let (Aabb { min, max }, face) = self.leaves[place];
-            if (min.cmple(segment.high) & max.cmpge(segment.low)).all() {
-                visit(face);
-            }
-        };
+    fn faces_at(&self, segment: &LocalSegment, visit: &mut impl FnMut(Candidate)) {
+        let mut visit_near = |place: usize| self.leaves[place].candidate(segment).into_iter().for_each(&mut *visit);
         match segment.ray {
             Some(ray) if !self.bvh.nodes.is_empty() => self.bvh.ray_traverse_anyhit(ray, |_, place| visit_near(place)),
             _ => self.bvh.aabb_traverse(Aabb::new(segment.low, segment.high), |bvh, node| {
@@ -100,13 +136,35 @@ impl Tree {
             }),
         }
     }
+
+    /// The same for several short segments close to each other, with the index of each.
+    fn faces_at_all(&self, segments: &[LocalSegment], found: &mut Vec<u32>, visit: &mut impl FnMut(usize, Candidate)) {
+        let low = segments.iter().fold(Vec3A::INFINITY, |low, segment| low.min(segment.low));
+        let high = segments.iter().fold(Vec3A::NEG_INFINITY, |high, segment| high.max(segment.high));
+        found.clear();
+        self.bvh.aabb_traverse(Aabb::new(low, high), |bvh, node| {
+            found.extend(places(&bvh.nodes[node as usize]).map(|place| place as u32));
+            true
+        });
+        for (index, segment) in segments.iter().enumerate() {
+            let candidates = found.iter().filter_map(|&place| self.leaves[place as usize].candidate(segment));
+            candidates.for_each(|candidate| visit(index, candidate));
+        }
+    }
 }
 
 /// A segment in local coordinates: its box, and where that is large, the ray along it.
 struct LocalSegment {
+    ends: [Vec3A; 2],
     low: Vec3A,
     high: Vec3A,
     ray: Option<Ray>,
+}
+
+impl LocalSegment {
+    fn extent(&self) -> f32 {
+        (self.high - self.low).max_element()
+    }
 }
 
 /// A bounding volume hierarchy over the faces of a mesh. Memory: about 70 bytes per face.
@@ -137,10 +195,10 @@ impl FaceTree {
         let [rest, of_fans] = split_fans(mesh);
         let tree_of = |faces: &[u32]| {
             let boxes: Vec<Boxed> = faces.iter().map(|&face| boxes[face as usize]).collect();
-            Tree::new(&boxes, |index| FaceId::new(faces[index]))
+            Tree::new(mesh, &boxes, |index| FaceId::new(faces[index]))
         };
         let main = match &rest {
-            None => Tree::new(&boxes, FaceId::from_usize),
+            None => Tree::new(mesh, &boxes, FaceId::from_usize),
             Some(rest) => tree_of(&rest.iter().map(|&(_, face)| face).collect::<Vec<_>>()),
         };
         let of_fans = of_fans.unwrap_or_default();
@@ -148,8 +206,8 @@ impl FaceTree {
         let fan_of = |fan: &&[(u32, u32)]| {
             let bounds =
                 fan.iter().map(|&(_, face)| boxes[face as usize].0).fold(Aabb::INVALID, |all, one| all.union(&one));
-            let faces = fan.iter().map(|&(_, face)| FaceId::new(face)).collect();
-            (Fan::new(mesh, fan[0].0, faces), Boxed(bounds))
+            let faces: Vec<FaceId> = fan.iter().map(|&(_, face)| FaceId::new(face)).collect();
+            (Fan::new(mesh, fan[0].0, &faces), Boxed(bounds))
         };
         let (fans, spans): (Vec<Fan>, Vec<Boxed>) = by_vertex.par_iter().map(fan_of).unzip();
         let over_fans = build(&spans);
@@ -164,28 +222,69 @@ impl FaceTree {
         };
         let Some(ray) = self.ray(from, toward, reach) else { return };
         if !self.main.bvh.nodes.is_empty() {
-            self.main.bvh.ray_traverse_anyhit(ray, |_, place| visit(self.main.leaves[place].1));
+            self.main.bvh.ray_traverse_anyhit(ray, |_, place| visit(self.main.leaves[place].face));
         }
         if !self.fans.is_empty() {
             let (end, mut found) =
                 (if reach { toward } else { toward.normalize() * (f64::from(FAR) / self.scale) }, Vec::new());
             self.over_fans.ray_traverse_anyhit(ray, |_, place| {
                 let fan = &self.fans[self.over_fans.primitive_indices[place] as usize];
-                fan.faces_along([from, from + end], &mut found, &mut visit);
+                fan.faces_along([from, from + end], &mut found, &mut |candidate| visit(candidate.face));
             });
         }
     }
 
-    /// Visits the faces that the segment from `a` to `b` may meet: a superset, each face once. Of very many faces around a
-    /// vertex at one of its ends, only those are visited that it may meet at the other end.
-    pub fn faces_at(&self, [a, b]: [Vec3; 2], vertices: [u32; 2], mut visit: impl FnMut(FaceId)) {
-        let whole = self.segment(a, b);
-        self.main.faces_at(&whole, &mut visit);
+    /// Visits the faces that a segment may meet: a superset, each face once. Of very many faces around a vertex at one of its
+    /// ends, only those are visited that it may meet at the other end.
+    pub fn faces_at(&self, ends: [Vec3; 2], vertices: [u32; 2], mut visit: impl FnMut(Candidate)) {
+        let segment = self.segment(ends);
+        self.main.faces_at(&segment, &mut visit);
+        self.fan_faces_at(ends, vertices, &segment, &mut visit);
+    }
+
+    /// The same for many segments, each given as its ends and its vertices: calls with the index of the segment. Faster where
+    /// segments that follow each other are close to each other.
+    pub fn faces_at_each(&self, segments: &[([Vec3; 2], [u32; 2])], mut visit: impl FnMut(usize, Candidate)) {
+        let local: Vec<LocalSegment> = segments.iter().map(|&(ends, _)| self.segment(ends)).collect();
+        let (mut begin, mut found) = (0, Vec::new());
+        while begin < local.len() {
+            // As many as together are not much larger than the largest.
+            let (mut low, mut high, mut largest) = (local[begin].low, local[begin].high, local[begin].extent());
+            let mut end = begin + 1;
+            while end < local.len().min(begin + TOGETHER) && largest.max(local[end].extent()) <= SHORT {
+                let (next_low, next_high) = (low.min(local[end].low), high.max(local[end].high));
+                largest = largest.max(local[end].extent());
+                if (next_high - next_low).max_element() > SPREAD * largest {
+                    break;
+                }
+                (low, high, end) = (next_low, next_high, end + 1);
+            }
+            if end - begin == 1 {
+                self.main.faces_at(&local[begin], &mut |candidate| visit(begin, candidate));
+            } else {
+                let visit = &mut |index, candidate| visit(begin + index, candidate);
+                self.main.faces_at_all(&local[begin..end], &mut found, visit);
+            }
+            begin = end;
+        }
+        for (index, &(ends, vertices)) in segments.iter().enumerate() {
+            self.fan_faces_at(ends, vertices, &local[index], &mut |candidate| visit(index, candidate));
+        }
+    }
+
+    /// Visits the faces of fans that a segment may meet.
+    fn fan_faces_at(
+        &self,
+        [a, b]: [Vec3; 2],
+        vertices: [u32; 2],
+        segment: &LocalSegment,
+        visit: &mut impl FnMut(Candidate),
+    ) {
         if self.fans.is_empty() {
             return;
         }
         let mut found = Vec::new();
-        self.over_fans.aabb_traverse(Aabb::new(whole.low, whole.high), |over, node| {
+        self.over_fans.aabb_traverse(Aabb::new(segment.low, segment.high), |over, node| {
             for place in places(&over.nodes[node as usize]) {
                 let fan = &self.fans[over.primitive_indices[place] as usize];
                 // Its faces meet an edge that ends in its vertex there, and may hold the other end.
@@ -193,10 +292,19 @@ impl FaceTree {
                     None => [a, b],
                     Some(end) => [[a, b][1 - end]; 2],
                 };
-                fan.faces_along(ends.map(Vec3::as_dvec3), &mut found, &mut visit);
+                fan.faces_along(ends.map(Vec3::as_dvec3), &mut found, visit);
             }
             true
         });
+    }
+
+    /// A number that is often close for points that are close to each other: their place on a curve through all of the scene
+    /// (Morton 1966).
+    pub fn key_of_place(&self, point: DVec3) -> u32 {
+        let steps =
+            ((self.local(point).clamp(Vec3A::NEG_ONE, Vec3A::ONE) + 1.0) * 511.5).to_array().map(|step| step as u32);
+        let spread = |step: u32| (0..10).fold(0, |key, bit| key | (step >> bit & 1) << (3 * bit));
+        spread(steps[0]) | spread(steps[1]) << 1 | spread(steps[2]) << 2
     }
 
     /// The largest extent of the scene along an axis, in world units, or somewhat more; 2 for a scene that has none.
@@ -208,15 +316,12 @@ impl FaceTree {
         ((point - self.center) * self.scale).as_vec3a()
     }
 
-    fn segment(&self, a: Vec3, b: Vec3) -> LocalSegment {
-        let [from, to] = [a, b].map(|end| self.local(end.as_dvec3()));
-        let (low, high) = (from.min(to), from.max(to));
+    fn segment(&self, [a, b]: [Vec3; 2]) -> LocalSegment {
+        let ends = [a, b].map(|end| self.local(end.as_dvec3()));
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let is_long = (high - low).max_element() > SHORT;
-        LocalSegment {
-            low,
-            high,
-            ray: if is_long { self.ray(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true) } else { None },
-        }
+        let ray = if is_long { self.ray(a.as_dvec3(), b.as_dvec3() - a.as_dvec3(), true) } else { None };
+        LocalSegment { ends, low, high, ray }
     }
 
     fn ray(&self, from: DVec3, direction: DVec3, to_its_end: bool) -> Option<Ray> {
@@ -316,7 +421,7 @@ mod tests {
         let tree = FaceTree::new(&TriangleMesh::new(positions, triangles).unwrap());
         let visited = |ends: [Vec3; 2], vertices| {
             let mut faces = Vec::new();
-            tree.faces_at(ends, vertices, |face| faces.push(face.get()));
+            tree.faces_at(ends, vertices, |candidate| faces.push(candidate.face.get()));
             faces
         };
         assert!(visited([Vec3::Z, rim(3)], [0, 4]).len() < 20, "only those at the rim");
@@ -343,11 +448,14 @@ mod tests {
             let triangles: Vec<[u32; 3]> = (0..faces).map(|face| [0, 1, 2].map(|slot| 3 * face + slot)).collect();
             let mesh = TriangleMesh::new(positions.clone(), triangles).unwrap();
             let tree = FaceTree::new(&mesh);
-            for ends in positions.windows(2).map(|pair| [pair[0], pair[1]]) {
-                let mut met = Vec::new();
-                tree.faces_at(ends, [u32::MAX; 2], |face| met.push(face));
-                for face in (0..faces).map(FaceId::new) {
-                    prop_assert!(passage(ends, mesh.corners(face)).is_none() || met.contains(&face));
+            let segments: Vec<_> = positions.windows(2).map(|pair| ([pair[0], pair[1]], [u32::MAX; 2])).collect();
+            let mut together = vec![Vec::new(); segments.len()];
+            tree.faces_at_each(&segments, |index, candidate| together[index].push(candidate.face));
+            for (&(ends, vertices), together) in segments.iter().zip(&together) {
+                let mut alone = Vec::new();
+                tree.faces_at(ends, vertices, |candidate| alone.push(candidate.face));
+                for face in (0..faces).map(FaceId::new).filter(|&face| passage(ends, mesh.corners(face)).is_some()) {
+                    prop_assert!(alone.contains(&face) && together.contains(&face));
                 }
             }
         }

@@ -4,6 +4,7 @@
 //! them. Seen from the apex, each face is an arc: that of its opposite edge. And so is the segment, so that the faces that it
 //! may meet are those whose arcs its own arc may meet. Boxes are around arcs on the unit sphere.
 
+use crate::face_tree::Candidate;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, builder::build_bvh2};
 use obvhs::{Boundable, BvhBuildParams};
@@ -28,7 +29,7 @@ pub struct Fan {
     /// Points nearer than this have no certain direction.
     near: f64,
     bvh: Bvh2,
-    faces: Vec<FaceId>,
+    faces: Vec<Candidate>,
 }
 
 struct Boxed(Aabb);
@@ -51,7 +52,7 @@ fn around_arc(from: DVec3, to: DVec3) -> Aabb {
 
 impl Fan {
     /// The fan of these faces, all of which have the vertex. O(F log F).
-    pub fn new(mesh: &TriangleMesh, vertex: u32, faces: Vec<FaceId>) -> Self {
+    pub fn new(mesh: &TriangleMesh, vertex: u32, faces: &[FaceId]) -> Self {
         let apex = mesh.positions()[vertex as usize].as_dvec3();
         let reach = mesh.positions().iter().fold(0.0_f32, |reach, at| reach.max(at.abs().max_element()));
         let arc = |&face: &FaceId| {
@@ -70,6 +71,11 @@ impl Fan {
         let mut time = Duration::ZERO;
         let bvh =
             if arcs.is_empty() { Bvh2::default() } else { build_bvh2(&arcs, BvhBuildParams::fast_build(), &mut time) };
+        let candidate = |&face: &FaceId| {
+            let vertices = mesh.triangles()[face.index()];
+            Candidate { face, vertices, may_hold: [true; 2] }
+        };
+        let faces = faces.iter().map(candidate).collect();
         Self { vertex, apex, near: f64::from(reach) * LEAST_DISTANCE, bvh, faces }
     }
 
@@ -79,16 +85,14 @@ impl Fan {
     }
 
     /// Visits the faces that may lie along a segment: a superset, each once. `found` is scratch.
-    pub fn faces_along(&self, [a, b]: [DVec3; 2], found: &mut Vec<u32>, visit: &mut impl FnMut(FaceId)) {
+    pub fn faces_along(&self, [a, b]: [DVec3; 2], found: &mut Vec<u32>, visit: &mut impl FnMut(Candidate)) {
         found.clear();
         let [from, to] = [a, b].map(|end| end - self.apex);
-        let nearest = from.lerp(to, (from.dot(from - to) / from.distance_squared(to)).clamp(0.0, 1.0));
-        if !(nearest.length() > self.near) {
-            // From so near, it may be seen in any direction. (Not a number where both ends are one.)
-            if a != b || from.length() <= self.near {
-                self.faces.iter().for_each(|&face| visit(face));
-                return;
-            }
+        let share = if a == b { 0.0 } else { from.dot(from - to) / from.distance_squared(to) };
+        if from.lerp(to, share.clamp(0.0, 1.0)).length() <= self.near {
+            // From so near, it may be seen in any direction.
+            self.faces.iter().for_each(|&face| visit(face));
+            return;
         }
         let angle = from.angle_between(to);
         let pieces = (angle / LONGEST_ARC).ceil().max(1.0) as u32;
@@ -141,7 +145,7 @@ mod tests {
         let positions: Vec<Vec3> = std::iter::once(Vec3::Z).chain((0..count).map(rim)).collect();
         let triangles = (0..count).map(|index| [0, 1 + index, 1 + (index + 1) % count]).collect();
         let mesh = TriangleMesh::new(positions, triangles).unwrap();
-        let fan = Fan::new(&mesh, 0, (0..count as usize).map(FaceId::from_usize).collect());
+        let fan = Fan::new(&mesh, 0, &(0..count as usize).map(FaceId::from_usize).collect::<Vec<_>>());
         let place = |index: u32| {
             let turn = index as f32 * 2.399_963_2;
             Vec3::new(turn.cos() * 0.9, turn.sin() * 0.8, (index as f32 * 0.37).sin())
@@ -152,7 +156,7 @@ mod tests {
             for other in one + 1..40 {
                 let ends = [place(one), place(other)];
                 let mut found = Vec::new();
-                fan.faces_along(ends.map(Vec3::as_dvec3), &mut scratch, &mut |face| found.push(face));
+                fan.faces_along(ends.map(Vec3::as_dvec3), &mut scratch, &mut |candidate| found.push(candidate.face));
                 for face in (0..count as usize).map(FaceId::from_usize) {
                     if passage(ends, mesh.corners(face)).is_some() {
                         passed += 1;

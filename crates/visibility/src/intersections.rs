@@ -8,7 +8,7 @@
 //! All of this is decided exactly; the ends of a segment are rounded to `f32`. Faces that overlap in one plane have no line
 //! of intersection.
 
-use crate::face_tree::FaceTree;
+use crate::face_tree::{Candidate, FaceTree};
 use crate::piercing::{holds, passage};
 use crate::sheets::pass_through;
 use rayon::prelude::*;
@@ -129,18 +129,18 @@ fn meetings_of(
     let vertices = topology.edges()[edge];
     let ends = vertices.map(|vertex| mesh.positions()[vertex as usize]);
     let mut looked_at = 0;
-    tree.faces_at(ends, vertices, |face| {
+    tree.faces_at(ends, vertices, |Candidate { face, vertices: around, may_hold }| {
         looked_at += 1;
-        let (around, corners) = (mesh.triangles()[face.index()], mesh.corners(face));
         if vertices.iter().any(|vertex| around.contains(vertex)) {
             return;
         }
+        let corners = mesh.corners(face);
         if let Some(passage) = passage(ends, corners) {
             let place = ends[0].as_dvec3().lerp(ends[1].as_dvec3(), passage.t).as_vec3();
             found.push(Meeting { edge, face, vertex: None, place });
         }
-        for (vertex, place) in vertices.into_iter().zip(ends) {
-            if holds(corners, place) {
+        for (end, (vertex, place)) in vertices.into_iter().zip(ends).enumerate() {
+            if may_hold[end] && holds(corners, place) {
                 found.push(Meeting { edge, face, vertex: Some(vertex), place });
             }
         }

@@ -83,7 +83,7 @@ fn push_runs(path: Path<'_>, kept_of_segment: &[[f64; 2]], kept: &mut Paths) {
             if from > 0.0 {
                 flush(&mut parts);
             }
-            let part = if [from, to] == [0.0, 1.0] { segment } else { segment.part(from, to) };
+            let part = if from <= 0.0 && to >= 1.0 { segment } else { segment.part(from, to) };
             if path.closed && place == 0 && from <= 0.0 && to < 1.0 {
                 tail.push(part);
                 continue;

@@ -135,10 +135,10 @@ fn along([a, b]: [DVec2; 2], [p, q]: [DVec2; 2], tolerance: f64) -> Option<[f64;
     let share = |point: DVec2| (point - a).dot(direction) / square;
     let (of_p, of_q) = (share(p), share(q));
     let [from, to] = [of_p.min(of_q).max(0.0), of_p.max(of_q).min(1.0)];
-    let length = square.sqrt();
-    if !(from < to) {
+    if square <= 0.0 || from >= to {
         return None;
     }
+    let length = square.sqrt();
     // Next to each other, their distance is affine.
     let off = |t: f64| {
         let on_other = p.lerp(q, (t - of_p) / (of_q - of_p));
