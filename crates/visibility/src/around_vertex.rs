@@ -66,7 +66,7 @@ impl Sight<'_> {
         let departure = Departure::new(self, stroke, end);
         let mut layers = Layers::NONE;
         for &VertexFace { face, others } in faces {
-            if !departure.leaves_beside(others.map(|other| self.view.position(other))) && !is_own(face) {
+            if !is_own(face) && !departure.leaves_beside(others.map(|other| self.view.position(other))) {
                 layers.add(self.near_end(stroke, end, face), 1);
             }
         }
