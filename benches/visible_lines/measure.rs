@@ -7,9 +7,9 @@ use silhouette_compare::cost::Spread;
 use silhouette_compare::machine::describe_machine;
 use silhouette_compare::scaling::OURS;
 use silhouette_core::method::PrepareError;
-use silhouette_core::view::{Framing, ViewError, ViewPreset};
+use silhouette_core::view::{Framing, Projection, ViewError, ViewPreset};
 use silhouette_core::{Camera, Cancelled, NoProgress, PreparedMesh, TriangleMesh};
-use silhouette_visibility::{Chains, LineError, LineFinder, LineOptions, LineScene, LineStats, Lines};
+use silhouette_visibility::{Chains, LineError, LineFinder, LineOptions, LineScene, LineStats, Lines, Outline};
 use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::sync::Arc;
@@ -35,10 +35,44 @@ pub enum MeasureError {
     Lines(#[from] LineError),
 }
 
-/// What is measured: the metric, the largest invisibility that is asked for, and how the finder is prepared. Each has a
-/// finder of its own, which learns of edges in one view what it knows in the next.
-const CASES: [(&str, u32, &str); 4] =
-    [("visible", 0, PLAIN), ("visible", 0, MANY_VIEWS), ("all", u32::MAX, PLAIN), ("all", u32::MAX, MANY_VIEWS)];
+/// What is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Metric {
+    /// Visible lines in perspective.
+    Visible,
+    /// Visible and hidden lines in perspective.
+    All,
+    /// The outline alone, in an orthographic view: what other tools yield.
+    Outline,
+}
+
+impl Metric {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Visible => "visible",
+            Self::All => "all",
+            Self::Outline => "outline",
+        }
+    }
+
+    fn framing(self) -> Framing {
+        match self {
+            Self::Visible | Self::All => Framing::Perspective { fov_y_rad: FOV_DEG.to_radians() },
+            Self::Outline => Framing::Orthographic,
+        }
+    }
+}
+
+/// What is measured and how the finder is prepared. Each has a finder of its own, which learns of edges in one view what it
+/// knows in the next.
+const CASES: [(Metric, &str); 6] = [
+    (Metric::Visible, PLAIN),
+    (Metric::Visible, MANY_VIEWS),
+    (Metric::All, PLAIN),
+    (Metric::All, MANY_VIEWS),
+    (Metric::Outline, PLAIN),
+    (Metric::Outline, MANY_VIEWS),
+];
 
 const PLAIN: &str = "plain";
 const MANY_VIEWS: &str = "many-views";
@@ -66,6 +100,7 @@ struct Cell {
     chains: Vec<f64>,
     points: Vec<f64>,
     length_px: Vec<f64>,
+    area_px: Vec<f64>,
 }
 
 impl Prepared {
@@ -74,7 +109,7 @@ impl Prepared {
         let prepared = Arc::new(PreparedMesh::new(Arc::clone(mesh)));
         let scene = LineScene::new(Arc::clone(&prepared));
         let start = Instant::now();
-        let finder = if CASES[case].2 == PLAIN {
+        let finder = if CASES[case].1 == PLAIN {
             LineFinder::new(scene, &NoProgress)?
         } else {
             LineFinder::for_many_views(scene, &NoProgress)?
@@ -100,12 +135,19 @@ impl Prepared {
     }
 
     fn find(&mut self, case: usize, camera: &Camera) -> Result<Lines, LineError> {
-        let options = LineOptions { max_invisibility: CASES[case].1, ..LineOptions::default() };
-        self.finder.find(camera, &options, &NoProgress)
+        let max_invisibility = match CASES[case].0 {
+            Metric::Visible => 0,
+            Metric::All => u32::MAX,
+            Metric::Outline => {
+                let outline = self.finder.outline(camera, &NoProgress)?;
+                return Ok(Lines { camera: *camera, chains: Chains::default(), outline, stats: LineStats::default() });
+            }
+        };
+        self.finder.find(camera, &LineOptions { max_invisibility, ..LineOptions::default() }, &NoProgress)
     }
 
-    /// Times one view on the current threads; yields its lines.
-    fn time(&mut self, case: usize, views: usize, camera: &Camera) -> Result<Chains, LineError> {
+    /// Times one view on the current threads; yields what it found.
+    fn time(&mut self, case: usize, views: usize, camera: &Camera) -> Result<(Chains, Outline), LineError> {
         let start = Instant::now();
         let lines = black_box(self.find(case, camera)?);
         let took = start.elapsed();
@@ -115,7 +157,8 @@ impl Prepared {
         cell.chains.push(lines.chains.len() as f64);
         cell.points.push(lines.chains.point_count() as f64);
         cell.length_px.push(lines.chains.iter().map(|chain| chain.length_px()).sum());
-        Ok(lines.chains)
+        cell.area_px.push(lines.outline.area_px());
+        Ok((lines.chains, lines.outline))
     }
 }
 
@@ -139,40 +182,44 @@ pub fn measure_mesh(
     all_threads: &[Threads],
 ) -> Result<Vec<LinesRow>, MeasureError> {
     let Some(bounds) = mesh.bounds() else { return Err(MeasureError::Empty { mesh: name.to_owned() }) };
-    let framing = Framing::Perspective { fov_y_rad: FOV_DEG.to_radians() };
-    let (direction, up) = ViewPreset::ThreeQuarter.directions();
-    let still = Camera::framing(&bounds, direction, up, framing, SIZE)?;
-    let orbit = Orbit::turn(framing, SIZE, views).cameras(&bounds)?;
+    let mut cameras = BTreeMap::new();
+    for (metric, _) in CASES {
+        let (direction, up) = ViewPreset::ThreeQuarter.directions();
+        let still = Camera::framing(&bounds, direction, up, metric.framing(), SIZE)?;
+        cameras.insert(metric, (still, Orbit::turn(metric.framing(), SIZE, views).cameras(&bounds)?));
+    }
 
     let mesh = Arc::new(mesh);
     // Each case with each number of threads: one beside the other.
     let mut runs: Vec<(usize, &Threads, Prepared)> = Vec::new();
     for case in 0..CASES.len() {
         for threads in all_threads {
-            runs.push((case, threads, threads.install(|| Prepared::new(&mesh, case, &still))?));
+            runs.push((case, threads, threads.install(|| Prepared::new(&mesh, case, &cameras[&CASES[case].0].0))?));
         }
     }
     let count = runs.len();
-    for (index, camera) in orbit.iter().enumerate() {
-        for (kind, camera) in [&still, camera].into_iter().enumerate() {
-            let mut expected: BTreeMap<u32, Chains> = BTreeMap::new();
+    for view in 0..views as usize {
+        for kind in 0..VIEWS.len() {
+            let mut expected: BTreeMap<Metric, (Chains, Outline)> = BTreeMap::new();
             // Who comes first changes, so that none is always the one behind an idle or a busy moment.
-            for place in (0..count).map(|turn| (index + turn) % count) {
+            for place in (0..count).map(|turn| (view + turn) % count) {
                 let (case, threads, prepared) = &mut runs[place];
-                let chains = threads.install(|| prepared.time(*case, kind, camera))?;
-                let expected = expected.entry(CASES[*case].1).or_insert_with(|| chains.clone());
-                assert!(*expected == chains, "{name}: the lines depend on threads or preparation");
+                let metric = CASES[*case].0;
+                let camera = [&cameras[&metric].0, &cameras[&metric].1[view]][kind];
+                let found = threads.install(|| prepared.time(*case, kind, camera))?;
+                let expected = expected.entry(metric).or_insert_with(|| found.clone());
+                assert!(*expected == found, "{name}: what is found depends on threads or preparation");
             }
         }
     }
-    let shared = Shared {
-        mesh: name.to_owned(),
-        faces: mesh.face_count() as u64,
-        machine: describe_machine(),
-        cameras: [numbers(&still), numbers(&orbit[0])],
-    };
+    let shared = Shared { mesh: name.to_owned(), faces: mesh.face_count() as u64, machine: describe_machine() };
     let rows_of = |(case, threads, prepared): &(usize, &Threads, Prepared)| {
-        [0, 1].map(|kind| row(&shared, *case, kind, threads, prepared))
+        let (still, orbit) = &cameras[&CASES[*case].0];
+        [still, &orbit[0]]
+            .iter()
+            .enumerate()
+            .map(|(kind, camera)| row(&shared, *case, (kind, camera), threads, prepared))
+            .collect::<Vec<_>>()
     };
     Ok(runs.iter().flat_map(rows_of).collect())
 }
@@ -182,12 +229,16 @@ struct Shared {
     mesh: String,
     faces: u64,
     machine: String,
-    /// Of each kind of views.
-    cameras: [CameraNumbers; VIEWS.len()],
 }
 
-fn row(shared: &Shared, case: usize, kind: usize, threads: &Threads, prepared: &Prepared) -> LinesRow {
-    let ((metric, _, finder), cell) = (CASES[case], &prepared.cells[kind]);
+fn row(
+    shared: &Shared,
+    case: usize,
+    (kind, camera): (usize, &Camera),
+    threads: &Threads,
+    prepared: &Prepared,
+) -> LinesRow {
+    let ((metric, finder), cell) = (CASES[case], &prepared.cells[kind]);
     let spread = Spread::of(&cell.times_ms).expect("at least one view is timed");
     let stage = |of: fn(&LineStats) -> Duration| median(cell.stats.iter().map(|stats| milliseconds(of(stats))));
     let count = |of: fn(&LineStats) -> u64| median(cell.stats.iter().map(|stats| of(stats) as f64));
@@ -195,7 +246,7 @@ fn row(shared: &Shared, case: usize, kind: usize, threads: &Threads, prepared: &
         tool: OURS,
         mesh: shared.mesh.clone(),
         faces: shared.faces,
-        metric,
+        metric: metric.name(),
         finder,
         views: VIEWS[kind],
         runs: cell.times_ms.len() as u32,
@@ -223,13 +274,18 @@ fn row(shared: &Shared, case: usize, kind: usize, threads: &Threads, prepared: &
             chains: median(cell.chains.iter().copied()),
             points: median(cell.points.iter().copied()),
             length_px: median(cell.length_px.iter().copied()),
+            area_px: median(cell.area_px.iter().copied()),
         },
-        camera: shared.cameras[kind].clone(),
+        camera: numbers(camera),
         machine: shared.machine.clone(),
     }
 }
 
 fn numbers(camera: &Camera) -> CameraNumbers {
     let [eye, target, up] = [camera.eye(), camera.target(), camera.up()].map(|vector| vector.to_array());
-    CameraNumbers { eye, target, up, fov_deg: FOV_DEG, size: camera.size() }
+    let (fov_deg, height) = match camera.projection() {
+        Projection::Perspective { .. } => (Some(FOV_DEG), None),
+        Projection::Orthographic { height } => (None, Some(height)),
+    };
+    CameraNumbers { eye, target, up, fov_deg, height, size: camera.size() }
 }

@@ -12,7 +12,8 @@ pub struct LinesRow {
     /// Name of the mesh: a file's name, or `builtin:NAME`.
     pub mesh: String,
     pub faces: u64,
-    /// `visible`: visible silhouette and boundary edges; `all`: the hidden ones as well, with their invisibility.
+    /// `visible`: visible silhouette and boundary edges; `all`: the hidden ones as well, with their invisibility; `outline`:
+    /// the outline alone, in an orthographic view.
     pub metric: &'static str,
     /// How the finder was prepared: `plain`, or `many-views`, with a search tree for silhouette edges.
     pub finder: &'static str,
@@ -63,15 +64,22 @@ pub struct Counts {
     pub chains: f64,
     pub points: f64,
     pub length_px: f64,
+    /// What the outline encloses, in square pixels.
+    pub area_px: f64,
 }
 
-/// A perspective camera in numbers, in the mesh's coordinates.
+/// A camera in numbers, in the mesh's coordinates.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CameraNumbers {
     pub eye: [f32; 3],
     pub target: [f32; 3],
     pub up: [f32; 3],
-    pub fov_deg: f64,
+    /// In perspective.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fov_deg: Option<f64>,
+    /// Object units that the viewport is high, in an orthographic view.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
     pub size: [u32; 2],
 }
 
@@ -84,6 +92,8 @@ pub struct PeerRow {
     pub metric: String,
     pub median_ms: f64,
     pub threads: u32,
+    /// What the outline encloses, where it is the metric.
+    pub area_px: Option<f64>,
     #[serde(flatten)]
     pub camera: CameraNumbers,
 }

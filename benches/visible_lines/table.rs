@@ -74,18 +74,26 @@ pub fn write_mesh(rows: &[LinesRow], first: &[LinesRow], peers: &[PeerRow], out:
 
 fn write_peers(rows: &[LinesRow], peers: &[PeerRow], out: &mut impl Write) -> io::Result<()> {
     for peer in peers {
-        let metric = if peer.metric.starts_with("levels") { "all" } else { "visible" };
+        let metric = match peer.metric.as_str() {
+            "outline" => "outline",
+            metric if metric.starts_with("levels") => "all",
+            _ => "visible",
+        };
         let same_scene = |row: &&LinesRow| row.views == "still" && row.mesh == peer.mesh && row.faces == peer.faces;
         for row in rows.iter().filter(same_scene).filter(|row| row.metric == metric) {
             let camera = &row.camera;
             let same_view = (camera.eye, camera.target, camera.up, camera.size)
                 == (peer.camera.eye, peer.camera.target, peer.camera.up, peer.camera.size)
-                && (camera.fov_deg - peer.camera.fov_deg).abs() < 1e-9;
+                && is_same(camera.fov_deg, peer.camera.fov_deg)
+                && is_same(camera.height, peer.camera.height);
             // What begins at the mesh is held against what does: preparation and first view.
             let from_mesh_ms = row.prepare_ms + row.first_ms;
+            let area = peer.area_px.map_or(String::new(), |area| {
+                format!("; areas differ by {:.1e} of it", (row.counts.area_px - area).abs() / area)
+            });
             writeln!(
                 out,
-                "{} ({}, threads {}{}) {:.1} ms: {:.1} times ours ({}, {}, threads {}), {:.1} times ours with its preparation",
+                "{} ({}, threads {}{}) {:.2} ms: {:.1} times ours ({}, {}, threads {}), {:.1} times ours with its preparation{area}",
                 peer.tool,
                 peer.metric,
                 peer.threads,
@@ -100,4 +108,10 @@ fn write_peers(rows: &[LinesRow], peers: &[PeerRow], out: &mut impl Write) -> io
         }
     }
     Ok(())
+}
+
+/// Whether two numbers, if any, differ by no more than reading them back may have rounded.
+fn is_same(one: Option<f64>, other: Option<f64>) -> bool {
+    let close = |(one, other): (f64, f64)| (one - other).abs() <= 1e-9 * one.abs();
+    one.zip(other).map_or(one.is_none() && other.is_none(), close)
 }

@@ -12,7 +12,7 @@
 //! from the true one by at most `8u / (1 - 8u)` times the sum of the products' magnitudes, `M`. `M` itself is evaluated
 //! with at most eight roundings and no cancellation. A relative bound of `9u` covers both and the rounding of the bound
 //! itself. Products that underflow lose at most `2^-150` each, once in the six inner and once in the three outer ones:
-//! `2^-148 (|p| + 1)` in all, covered by `2^-146 (|p| + 1)`. Overflow makes the bound infinite or NaN and the test fails.
+//! `2^-148 (|p| + 1)` in all, covered by `2^-126 (|p| + 1)`. Overflow makes the bound infinite or NaN and the test fails.
 //! Where the filter cannot certify the sign, it is computed exactly: `robust::orient3d` for an eye, an expansion sum for a
 //! direction (whose end point would have to be rounded to be a point).
 
@@ -20,7 +20,7 @@ use crate::exact::sign_of_products;
 use crate::id::FaceId;
 use crate::mesh::TriangleMesh;
 use crate::view::Viewpoint;
-use glam::{Vec3, Vec3Swizzles};
+use glam::{Mat4, Vec3, Vec3Swizzles, Vec4};
 use rayon::prelude::*;
 use robust::{Coord3D, orient3d};
 use std::cmp::Ordering;
@@ -46,8 +46,9 @@ pub struct Judgement {
 /// Bound of the relative error of the `f32` evaluation; derived in the [module](self).
 const RELATIVE_BOUND: f32 = 9.0 * (f32::EPSILON / 2.0);
 
-/// Bound of the absolute error by underflow, a unit of `|p| + 1`; derived in the [module](self). Equals `2^-146`.
-const UNDERFLOW_BOUND: f32 = f32::from_bits(8);
+/// Bound of the absolute error by underflow, a unit of `|p| + 1`; derived in the [module](self). Equals `2^-126`: processors
+/// take a hundred cycles and more for the subnormal products that the least bound would make.
+const UNDERFLOW_BOUND: f32 = f32::MIN_POSITIVE;
 
 /// The exact facing of a face with these corners (counter-clockwise seen from outside).
 #[inline]
@@ -107,18 +108,52 @@ fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Vec3; 3] {
     triangle.map(|vertex| mesh.positions()[vertex as usize])
 }
 
-/// A bit for each of up to 64 faces that is certainly front, and one for each of which the filter is not certain. Without
-/// a branch per face, so that the processor works on several at a time.
+/// Four vectors, coordinate by coordinate.
+type FourVectors = [Vec4; 3];
+
+/// The vertices at one corner of four faces.
 #[inline]
-fn certain_bits(mesh: &TriangleMesh, triangles: &[[u32; 3]], toward_viewer: impl Fn(Vec3) -> Vec3) -> (u64, u64) {
+fn four_corners(mesh: &TriangleMesh, triangles: &[[u32; 3]; 4], corner: usize) -> FourVectors {
+    let at = |face: usize| mesh.positions()[triangles[face][corner] as usize].extend(0.0);
+    let by_coordinate = Mat4::from_cols(at(0), at(1), at(2), at(3)).transpose();
+    [by_coordinate.x_axis, by_coordinate.y_axis, by_coordinate.z_axis]
+}
+
+/// [`filter`] for four faces at once.
+#[inline]
+fn filter_four(a: FourVectors, b: FourVectors, p: FourVectors) -> (Vec4, Vec4) {
+    let (mut value, mut magnitude, mut size) = (Vec4::ZERO, Vec4::ZERO, Vec4::ONE);
+    for (axis, next, last) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+        let (positive, negative) = (a[next] * b[last], a[last] * b[next]);
+        value += p[axis] * (positive - negative);
+        magnitude += p[axis].abs() * (positive.abs() + negative.abs());
+        size += p[axis].abs();
+    }
+    (value, magnitude * RELATIVE_BOUND + size * UNDERFLOW_BOUND)
+}
+
+/// A bit for each of up to 64 faces that is certainly front, and one for each of which the filter is not certain. Four faces
+/// at a time, without a branch per face.
+#[inline]
+fn certain_bits(mesh: &TriangleMesh, triangles: &[[u32; 3]], viewpoint: &Viewpoint) -> (u64, u64) {
     let (mut front, mut unsure) = (0, 0);
-    for (bit, &triangle) in triangles.iter().enumerate() {
-        let [v0, v1, v2] = corners(mesh, triangle);
-        let (value, error) = filter(v1 - v0, v2 - v0, toward_viewer(v0));
-        front |= u64::from(value > error) << bit;
+    let (fours, rest) = triangles.as_chunks::<4>();
+    for (index, four) in fours.iter().enumerate() {
+        let [v0, v1, v2] = [four_corners(mesh, four, 0), four_corners(mesh, four, 1), four_corners(mesh, four, 2)];
+        let from_v0 = |other: FourVectors| [other[0] - v0[0], other[1] - v0[1], other[2] - v0[2]];
+        let toward_viewer = match *viewpoint {
+            Viewpoint::Perspective { eye } => from_v0([Vec4::splat(eye.x), Vec4::splat(eye.y), Vec4::splat(eye.z)]),
+            Viewpoint::Orthographic { toward_viewer: w } => [Vec4::splat(w.x), Vec4::splat(w.y), Vec4::splat(w.z)],
+        };
+        let (value, error) = filter_four(from_v0(v1), from_v0(v2), toward_viewer);
+        front |= u64::from(value.cmpgt(error).bitmask()) << (4 * index);
         // A bound that is not a number is no certainty either.
-        let is_certain = value.abs() > error;
-        unsure |= u64::from(!is_certain) << bit;
+        unsure |= u64::from((!value.abs().cmpgt(error)).bitmask()) << (4 * index);
+    }
+    for (bit, &triangle) in (4 * fours.len()..).zip(rest) {
+        let facing = filtered_facing(corners(mesh, triangle), viewpoint);
+        front |= u64::from(facing == Some(Facing::Front)) << bit;
+        unsure |= u64::from(facing.is_none()) << bit;
     }
     (front, unsure)
 }
@@ -189,10 +224,7 @@ impl FaceFacings {
             .zip(triangles)
             .with_min_len(WORDS_PER_TASK)
             .map(|((word, doubtful), triangles)| {
-                let (front, mut unsure) = match *rule.viewpoint() {
-                    Viewpoint::Perspective { eye } => certain_bits(mesh, triangles, |v0| eye - v0),
-                    Viewpoint::Orthographic { toward_viewer } => certain_bits(mesh, triangles, |_| toward_viewer),
-                };
+                let (front, mut unsure) = certain_bits(mesh, triangles, rule.viewpoint());
                 (*word, *doubtful) = (front, unsure);
                 let fallbacks = u64::from(unsure.count_ones());
                 while unsure != 0 {
@@ -351,6 +383,29 @@ mod tests {
         fn nearly_degenerate_faces(corners in prop::array::uniform3(point(2)), view in point(2), offset in point(1 << 22)) {
             let moved = |p: [i32; 3]| [0, 1, 2].map(|i| p[i] + offset[i]);
             check(corners.map(moved), moved(view), 0);
+        }
+
+        /// Meshes of any number of faces, of which four are looked at at a time; negated views have other certain facings.
+        #[test]
+        fn all_faces_of_a_mesh(
+            faces in prop::collection::vec(prop::array::uniform3(point(3)), 0..140), view in point(4), exponent in -60..30,
+        ) {
+            let scale = 2.0_f64.powi(exponent);
+            let float = |p: [i32; 3]| Vec3::from(p.map(|c| (f64::from(c) * scale) as f32));
+            let triangles = (0..faces.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+            let mesh = TriangleMesh::new(faces.iter().flatten().map(|&p| float(p)).collect(), triangles).unwrap();
+            for (is_point, viewpoint) in [
+                (true, Viewpoint::Perspective { eye: float(view) }),
+                (false, Viewpoint::Orthographic { toward_viewer: float(view) }),
+            ] {
+                let facings = FaceFacings::new(&mesh, &viewpoint);
+                for (face, &corners) in faces.iter().enumerate() {
+                    let expected = integer_sign(corners, view, is_point);
+                    prop_assert_eq!(facings.is_front(FaceId::from_usize(face)), expected > 0);
+                    let is_doubtful = facings.doubtful_faces().any(|doubtful| doubtful.index() == face);
+                    prop_assert!(is_doubtful || expected != 0);
+                }
+            }
         }
 
         #[test]

@@ -3,7 +3,7 @@
 use super::lattice::{Cells, DirectedEdge, Point};
 
 /// Cells per edge of the chain.
-const CELLS_PER_EDGE: usize = 6;
+const CELLS_PER_EDGE: usize = 3;
 
 /// Cells that an edge passes on average, at most: long edges get larger cells, so that the map stays linear.
 const CELLS_PASSED: f64 = 64.0;
