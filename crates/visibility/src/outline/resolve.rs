@@ -19,7 +19,7 @@ use crate::finder::LineError;
 use rayon::prelude::*;
 
 /// Edges in a cell up to which it is looked at them one by one.
-const MOST_COMPARED: usize = 24;
+const MOST_COMPARED: usize = 128;
 
 /// Cells that a task takes: some 0.1 ms of work.
 const CELLS_PER_TASK: usize = 1024;
