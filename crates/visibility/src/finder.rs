@@ -13,7 +13,7 @@ use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
 use crate::outline::{Outline, outline};
 use crate::picture_grid::PictureGrid;
-use crate::scene::LineScene;
+use crate::scene::{Extent, LineScene};
 use crate::select::{Selector, push_intersections};
 use crate::sight::Sight;
 use crate::stroke::Stroke;
@@ -21,7 +21,6 @@ use crate::unpaired::UnpairedEdges;
 use crate::vertex_faces::VertexFaces;
 use crate::viewed_mesh::ViewedMesh;
 use rayon::prelude::*;
-use silhouette_core::glam::Vec3;
 use silhouette_core::method::PrepareError;
 use silhouette_core::{Camera, Cancelled, DisplacedViewer, Progress, Topology, Viewpoint};
 use std::sync::Arc;
@@ -60,10 +59,7 @@ pub struct LineFinder {
     tree: Arc<FaceTree>,
     unpaired: Arc<UnpairedEdges>,
     vertex_faces: Arc<VertexFaces>,
-    /// Largest absolute coordinate.
-    reach: f64,
-    /// The middle of the scene, towards which viewers are displaced.
-    center: Vec3,
+    extent: Extent,
     selector: Selector,
     clear_edges: ClearEdges,
 }
@@ -85,14 +81,13 @@ impl LineFinder {
         let (topology, tree) = (topology?, tree?);
         let (unpaired, vertex_faces) = (mesh.artefact(NAME, progress)?, mesh.artefact(NAME, progress)?);
         let edge_count = Topology::edge_count(&topology);
-        let (reach, center) = (scene.reach(), scene.center());
+        let extent = scene.extent();
         Ok(Self {
             topology,
             tree,
             unpaired,
             vertex_faces,
-            reach,
-            center,
+            extent,
             selector: Selector::default(),
             clear_edges: ClearEdges::new(edge_count),
             scene,
@@ -141,12 +136,12 @@ impl LineFinder {
         let started = Instant::now();
         progress.check()?;
         let viewpoint = camera.viewpoint();
-        let (mesh, viewer) = (self.scene.mesh().mesh(), DisplacedViewer::new(viewpoint, self.center));
+        let (mesh, viewer) = (self.scene.mesh().mesh(), DisplacedViewer::new(viewpoint, self.extent.center()));
         let view = ViewedMesh { mesh, topology: &self.topology, unpaired: &self.unpaired, viewer };
         self.selector.find_silhouette(mesh, &self.topology, &viewer);
         let contours = view.contours(self.selector.silhouette());
         let mut strokes = self.selector.strokes(&self.scene, &view, &contours, options);
-        let frame = PictureFrame::new(camera, self.reach);
+        let frame = PictureFrame::new(camera, self.extent.reach());
         let mut first_id = mesh.vertex_count() as u32;
         if options.intersection {
             let found = self.scene.mesh().artefact::<FaceIntersections>(NAME, progress)?;
@@ -195,7 +190,11 @@ impl LineFinder {
         stats.contours = contours.len() as u64;
         (stats.pairs, stats.events, stats.sight_lines) = (counted.pairs, counted.events, sight_lines);
         let started = Instant::now();
-        let outline = if options.outline { outline(&contours, &frame, progress)? } else { Outline::default() };
+        let outline = if options.outline {
+            outline(&view, &contours, &frame, &self.extent, progress)?
+        } else {
+            Outline::default()
+        };
         stats.outline = started.elapsed();
         Ok(Lines { camera: *camera, chains, outline, stats })
     }
@@ -203,19 +202,20 @@ impl LineFinder {
     /// The outline of a view: the boundary of the union of all projected faces. It is followed eight pictures beyond the
     /// picture on each side.
     ///
-    /// For S silhouette edges and K crossings of those near the outline: O(F + S log S + K log K), or less than O(F) for a
-    /// finder that was prepared for many views.
+    /// For S silhouette edges and K crossings of those near the outline: O(F + S log S + K log K). A finder that was prepared
+    /// for many views does without the O(F) where all of the scene lies within that window.
     ///
     /// # Errors
     /// [`LineError`].
     pub fn outline(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Outline, LineError> {
         progress.check()?;
         rayon::scope(|_| {
-            let (mesh, viewer) = (self.scene.mesh().mesh(), DisplacedViewer::new(camera.viewpoint(), self.center));
+            let (mesh, viewer) =
+                (self.scene.mesh().mesh(), DisplacedViewer::new(camera.viewpoint(), self.extent.center()));
             let view = ViewedMesh { mesh, topology: &self.topology, unpaired: &self.unpaired, viewer };
             self.selector.find_silhouette(mesh, &self.topology, &viewer);
             let contours = view.contours(self.selector.silhouette());
-            outline(&contours, &PictureFrame::new(camera, self.reach), progress)
+            outline(&view, &contours, &PictureFrame::new(camera, self.extent.reach()), &self.extent, progress)
         })
     }
 }

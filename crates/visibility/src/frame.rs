@@ -111,9 +111,13 @@ impl PictureFrame {
     /// The part of an edge inside the picture, grown by `margin_px` on each side, as it is drawn: without what is so near to
     /// the eye that it has no certain place in the picture. Its pixels are finite. O(1).
     pub fn clip_drawn(&self, ends: [Vec3; 2], margin_px: f64) -> Option<ClippedEdge> {
+        self.clip_beyond(ends, margin_px, 0.0, self.least_w())
+    }
+
+    /// The least depth at which a point has a certain place in the picture; 0 for an orthographic camera.
+    pub fn least_w(&self) -> f64 {
         let is_perspective = self.rows[2].truncate() != DVec3::ZERO;
-        let least_w = self.error * (1.0 + self.size.max_element()) / DRAWN_DOUBT_PX;
-        self.clip_beyond(ends, margin_px, 0.0, if is_perspective { least_w } else { 0.0 })
+        if is_perspective { self.error * (1.0 + self.size.max_element()) / DRAWN_DOUBT_PX } else { 0.0 }
     }
 
     /// The part of an edge that may be seen inside the picture, grown by `margin_px` on each side; `None` where there is

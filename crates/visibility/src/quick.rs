@@ -18,7 +18,7 @@ use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
 use crate::outline::Outline;
 use crate::pieces::Piece;
-use crate::scene::LineScene;
+use crate::scene::{Extent, LineScene};
 use crate::select::Selector;
 use crate::stroke::{Stroke, Strokes};
 use crate::unpaired::UnpairedEdges;
@@ -83,10 +83,7 @@ pub struct QuickLineFinder {
     scene: LineScene,
     topology: Arc<Topology>,
     unpaired: Arc<UnpairedEdges>,
-    /// Largest absolute coordinate.
-    reach: f64,
-    /// The middle of the scene, towards which viewers are displaced.
-    center: Vec3,
+    extent: Extent,
     selector: Selector,
 }
 
@@ -97,8 +94,8 @@ impl QuickLineFinder {
     /// [`Cancelled`] when `progress` says so.
     pub fn new(scene: LineScene, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (topology, unpaired) = (scene.mesh().artefact(NAME, progress)?, scene.mesh().artefact(NAME, progress)?);
-        let (reach, center) = (scene.reach(), scene.center());
-        Ok(Self { scene, topology, unpaired, reach, center, selector: Selector::default() })
+        let extent = scene.extent();
+        Ok(Self { scene, topology, unpaired, extent, selector: Selector::default() })
     }
 
     /// The lines of a view whose face ids are `ids`: visible parts only, whatever invisibility is asked for, and mesh edges
@@ -118,7 +115,7 @@ impl QuickLineFinder {
         progress.check()?;
         let viewpoint = camera.viewpoint();
         let mesh = self.scene.mesh().mesh();
-        let viewer = DisplacedViewer::new(viewpoint, self.center);
+        let viewer = DisplacedViewer::new(viewpoint, self.extent.center());
         let view = ViewedMesh { mesh, topology: &self.topology, unpaired: &self.unpaired, viewer };
         self.selector.find_silhouette(mesh, &self.topology, &viewer);
         let strokes = self.selector.strokes(&self.scene, &view, &[], options);
@@ -126,13 +123,13 @@ impl QuickLineFinder {
 
         let started = Instant::now();
         progress.check()?;
-        let frame = PictureFrame::new(camera, self.reach);
+        let frame = PictureFrame::new(camera, self.extent.reach());
         let clipped: Vec<_> = strokes.strokes.par_iter().map(|stroke| frame.clip(stroke.ends, 0.0)).collect();
         stats.project = started.elapsed();
 
         let started = Instant::now();
         let scale = DVec2::from(ids.size.map(f64::from)) / frame.size();
-        let eye = IdEye { mesh, ids, viewpoint, tolerance: self.reach * PLANE_TOLERANCE };
+        let eye = IdEye { mesh, ids, viewpoint, tolerance: self.extent.reach() * PLANE_TOLERANCE };
         let sampler = Sampler { eye, strokes: &strokes, frame, scale };
         let sampled: Vec<Vec<Piece>> = clipped
             .par_iter()

@@ -1,6 +1,6 @@
 //! [`LineScene`]: the meshes, labels and curves that are drawn together.
 
-use silhouette_core::glam::Vec3;
+use silhouette_core::glam::{BVec3, DVec3, Vec3};
 use silhouette_core::mesh::MeshError;
 use silhouette_core::{FaceId, PreparedMesh, TriangleMesh};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -54,6 +54,31 @@ pub struct LineScene {
     labels: Option<Vec<u32>>,
     curves: Vec<CurvePiece>,
     fingerprint: OnceLock<u128>,
+}
+
+/// Least and largest coordinates of a mesh; 0 without faces.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Extent {
+    pub(crate) min: DVec3,
+    pub(crate) max: DVec3,
+}
+
+impl Extent {
+    /// Largest absolute coordinate.
+    pub(crate) fn reach(&self) -> f64 {
+        self.min.abs().max(self.max.abs()).max_element()
+    }
+
+    /// The middle, towards which viewers are displaced.
+    pub(crate) fn center(&self) -> Vec3 {
+        ((self.min + self.max) * 0.5).as_vec3()
+    }
+
+    /// The corners of the box.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = DVec3> {
+        let Self { min, max } = *self;
+        (0..8).map(move |index| DVec3::select(BVec3::new(index & 1 == 1, index & 2 == 2, index & 4 == 4), max, min))
+    }
 }
 
 impl LineScene {
@@ -121,14 +146,9 @@ impl LineScene {
         &self.mesh
     }
 
-    /// Largest absolute coordinate of the mesh; 0 without faces. O(V).
-    pub(crate) fn reach(&self) -> f64 {
-        self.mesh.mesh().bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element())
-    }
-
-    /// The middle of the mesh's bounds. O(V).
-    pub(crate) fn center(&self) -> Vec3 {
-        self.mesh.mesh().bounds().map_or(Vec3::ZERO, |bounds| bounds.center.as_vec3())
+    /// What the mesh spans. O(F).
+    pub(crate) fn extent(&self) -> Extent {
+        self.mesh.mesh().bounds().map_or(Extent::default(), |bounds| Extent { min: bounds.min, max: bounds.max })
     }
 
     /// Number of objects, at least 1.

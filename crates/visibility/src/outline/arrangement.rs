@@ -1,4 +1,7 @@
-//! Where the parts of edges in one cell have nothing on their right.
+//! Where the parts of edges in one cell have something on their left and nothing on their right.
+//!
+//! Two edges that coincide in space may have been rounded to the wrong sides of each other. Between them there are fewer layers
+//! than 0 then, which count as nothing.
 
 use super::chain_map::{ChainMap, Part};
 use super::lattice::{DirectedEdge, Point};
@@ -28,7 +31,7 @@ pub struct Arrangement {
 }
 
 impl Arrangement {
-    /// Appends the stretches of the parts in a cell that have nothing on their right, each with its part's index in the cell
+    /// Appends the stretches of the parts in a cell that have nothing on their right alone, each with its part's index in the cell
     /// and in order along it. `None` where rounding leaves a doubt: where parts lie on each other, or three cross in one
     /// place; what was appended then is to be dropped. O(square of the parts).
     pub fn push_bare_stretches(
@@ -67,7 +70,7 @@ impl Arrangement {
             let mut from = part.ends[0];
             let ends = of_part.iter().map(|crossing| (crossing.place, crossing.change)).chain([(part.ends[1], 0)]);
             for (to, change) in ends {
-                if on_right == 0 {
+                if on_right <= 0 && on_right + part.layers > 0 {
                     out.push((index, DirectedEdge { from, to, layers: 1 }));
                 }
                 on_right += change;

@@ -225,8 +225,8 @@ impl ChainMap {
     }
 }
 
-/// Appends the stretches of a side with more than one layer, the cell with all of them being on the left if it is walked
-/// `forward`.
+/// Appends the stretches of a side with more than one layer, or fewer than none, the cell with all of them being on the left
+/// if it is walked `forward`.
 fn push_side(
     [begin, end]: [i64; 2],
     mut layers: i32,
@@ -238,9 +238,10 @@ fn push_side(
     let mut from = begin;
     let ends = crossings.iter().map(|crossing| (crossing.at, crossing.change)).chain([(end, 0)]);
     for (to, change) in ends {
-        if layers > 1 && from != to {
-            let [from, to] = if forward { [point(from), point(to)] } else { [point(to), point(from)] };
-            out.push(DirectedEdge { from, to, layers: layers as u32 - 1 });
+        let more = layers - layers.clamp(0, 1);
+        if more != 0 && from != to {
+            let [from, to] = if forward == (more > 0) { [point(from), point(to)] } else { [point(to), point(from)] };
+            out.push(DirectedEdge { from, to, layers: more.unsigned_abs() });
         }
         layers += change;
         from = to;

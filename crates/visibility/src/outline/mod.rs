@@ -1,12 +1,13 @@
 //! The outline: the boundary of the union of all projected faces, as a planar map.
 //!
 //! 1. `chain.rs`: contours as directed edges of the picture, with the scene on their left, as many times as there are layers
-//!    more on that side. They close: together they are the boundary of all projected faces. What is beyond the surroundings of
-//!    the picture is cut off there. Points are snapped to a lattice far below any pixel.
+//!    more on that side. They close: together they are the boundary of all projected faces. `window.rs`: what is far beyond the
+//!    picture or behind the eye is cut off, and the chain closed along the border. Points are snapped to a lattice far below
+//!    any pixel.
 //! 2. `lattice.rs`, `chain_map.rs`, `resolve.rs`, `arrangement.rs`: cell by cell of a grid, only what may bound the covered
 //!    area is kept, which on a scan is little.
 //! 3. `cycles.rs`, `union.rs`: what remains is united by `i_overlay`, with the rule that a point is inside where its winding
-//!    number is not 0.
+//!    number is above 0.
 //!
 //! The winding number of a point is the number of layers there, which is why closed and open meshes, meshes that are wound
 //! against each other and meshes that overlap need no case of their own. A face seen edge-on has no area and adds nothing.
@@ -18,10 +19,13 @@ mod cycles;
 mod lattice;
 mod resolve;
 mod union;
+mod window;
 
 use crate::contours::Contour;
 use crate::finder::LineError;
 use crate::frame::PictureFrame;
+use crate::scene::Extent;
+use crate::viewed_mesh::ViewedMesh;
 use silhouette_core::Progress;
 use silhouette_core::glam::DVec2;
 use std::ops::Range;
@@ -70,16 +74,19 @@ impl Outline {
     }
 }
 
-/// How far beyond the picture the outline is followed, in pictures: what is farther out is cut off there.
-const SURROUNDINGS: f64 = 8.0;
-
-/// The outline of a view, of which these are the contours.
+/// The outline of a view, of which these are the contours, of a scene that spans so much.
 ///
 /// # Errors
 /// [`LineError`].
-pub fn outline(contours: &[Contour], frame: &PictureFrame, progress: &dyn Progress) -> Result<Outline, LineError> {
+pub fn outline(
+    view: &ViewedMesh<'_>,
+    contours: &[Contour],
+    frame: &PictureFrame,
+    extent: &Extent,
+    progress: &dyn Progress,
+) -> Result<Outline, LineError> {
     progress.check()?;
-    let chain = chain::chain(contours, frame, frame.size().max_element() * SURROUNDINGS);
+    let chain = chain::chain(view, contours, frame, extent);
     progress.check()?;
     // Only a crowd is worth looking for edges that lie on each other.
     let bounds = resolve::resolve(&chain).or_else(|_| resolve::resolve(&chain::without_repeats(chain)))?;

@@ -11,7 +11,7 @@ use i_overlay::i_float::int::point::IntPoint;
 /// `1e-12` pixels apart.
 const LEAST_AREA_PX: f64 = 1e-6;
 
-/// The outline of what has a winding number other than 0.
+/// The outline of what has a winding number above 0. Below it is only what rounding has turned over.
 pub fn union(polygons: &[Vec<Point>]) -> Outline {
     let options = IntOverlayOptions { min_output_area: area(LEAST_AREA_PX) as u128, ..IntOverlayOptions::ogc() };
     let count = polygons.iter().map(Vec::len).sum();
@@ -20,6 +20,6 @@ pub fn union(polygons: &[Vec<Point>]) -> Outline {
         overlay.add_path_iter(polygon.iter().map(|&[x, y]| IntPoint::new(x, y)), ShapeType::Subject);
     }
     let ring = |ring: Vec<IntPoint<i64>>| ring.into_iter().map(|point| pixel([point.x, point.y])).collect();
-    let regions = overlay.overlay(OverlayRule::Subject, FillRule::NonZero);
+    let regions = overlay.overlay(OverlayRule::Subject, FillRule::Positive);
     Outline::of_regions(regions.into_iter().map(|region| region.into_iter().map(ring).collect()))
 }

@@ -191,7 +191,7 @@ fn a_contour_through_the_eye_leaves_the_outline_finite() {
 #[test]
 fn outlines_of_random_scenes_are_planar_maps_around_what_is_covered() {
     let (mut compared, mut covered) = (0, 0);
-    for seed in 0..1500 {
+    for seed in 0..3000 {
         let mut random = Random::new(seed);
         let mesh = scene(FAMILIES[random.below(FAMILIES.len())], &mut random);
         let Some(camera) = camera(&mesh, &mut random) else { continue };
@@ -214,7 +214,8 @@ fn outlines_of_random_scenes_are_planar_maps_around_what_is_covered() {
     assert!(compared > 40_000 && covered > 5000, "{covered} of {compared}");
 }
 
-/// Whether a ray through a pixel meets a triangle in front of the eye; `None` where it passes close to an edge.
+/// Whether a ray through a pixel meets a triangle in front of the eye; `None` where it passes close to an edge, or the eye is
+/// in a triangle.
 fn is_seen(triangles: &[[DVec3; 3]], camera: &Camera, pixel: DVec2) -> Option<bool> {
     let size = DVec2::from(camera.size().map(f64::from));
     let at = (pixel - size * 0.5) * DVec2::new(1.0, -1.0) / camera.pixels_per_unit(1.0);
@@ -230,6 +231,10 @@ fn is_seen(triangles: &[[DVec3; 3]], camera: &Camera, pixel: DVec2) -> Option<bo
         if sides.iter().all(|&side| side > margin) || sides.iter().all(|&side| side < -margin) {
             // In front where the plane is met at a positive distance.
             let normal = (v - u).cross(w - u);
+            if normal.dot(u).abs() <= margin {
+                // The eye is in the face: a tie.
+                return None;
+            }
             seen |= normal.dot(u) / normal.dot(direction) > 0.0;
         } else if !(sides.iter().any(|&side| side > margin) && sides.iter().any(|&side| side < -margin)) {
             return None;
