@@ -24,7 +24,8 @@ OTHER_EDGES = ("loose", "crease", "material", "edge_mark", "intersection", "ligh
 
 
 def prepare(scene, mesh_object, camera, _arguments):
-    data = bpy.data.grease_pencils_v3.new(LAYER)
+    pencils = getattr(bpy.data, "grease_pencils_v3", None) or bpy.data.grease_pencils  # Blender 4's name, and 5's.
+    data = pencils.new(LAYER)
     data.layers.new(LAYER)
     material = bpy.data.materials.new(LAYER)
     bpy.data.materials.create_gpencil_data(material)

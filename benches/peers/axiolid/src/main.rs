@@ -5,8 +5,9 @@
 //!
 //! Orthographic views, which are all that it draws: the first along (1, 1, 1), the others around the mesh. Silhouette and
 //! boundary edges, on one thread. Timed are visible pieces alone: all that it does, since it prepares nothing, and of ours a
-//! view, a view of a finder for many views, and the preparation with the first view. Compared are visible and hidden pieces:
-//! for each edge the length that is visible and the length that is drawn.
+//! view that the finder has seen before, one that a new finder has not, a view of a finder for many views, and the
+//! preparation together with a first view. Compared are visible and hidden pieces: for each edge the length that is visible
+//! and the length that is drawn.
 
 use axiolid_contracts::ExecutionOptions;
 use axiolid_core::{Frame3, Point3, Tolerance, Vec3 as Axis};
@@ -64,14 +65,17 @@ struct Row {
     threads: u32,
     /// Its time of a view.
     median_ms: f64,
-    /// Ours of a view, of a view of a finder for many views, and of the preparation with the first view.
-    ours_ms: f64,
+    /// Ours of a view that the finder has seen, of the first view of a finder, of a view of a finder for many views, and of
+    /// the preparation together with a first view.
+    ours_seen_ms: f64,
+    ours_new_ms: f64,
     ours_many_ms: f64,
-    ours_first_ms: f64,
+    ours_prepared_ms: f64,
     /// Medians of the ratios of its times to ours.
-    ratio: f64,
+    ratio_seen: f64,
+    ratio_new: f64,
     ratio_many: f64,
-    ratio_first: f64,
+    ratio_prepared: f64,
     /// Edges in the isometric view, by both.
     iso_edges: [usize; 2],
     agreement: Agreement,
@@ -134,19 +138,23 @@ fn measure(path: &PathBuf, arguments: &Arguments) -> Result<Row, Failure> {
     );
     let topology = Topology::new(&mesh);
     let new_scene = || LineScene::new(Arc::new(PreparedMesh::new(Arc::clone(&mesh))));
-    let mut plain = LineFinder::new(new_scene(), &NoProgress)?;
+    let scene = new_scene();
+    let mut plain = LineFinder::new(scene.clone(), &NoProgress)?;
     let mut many = LineFinder::for_many_views(new_scene(), &NoProgress)?;
     let visible_only = LineOptions::default();
     let all = LineOptions { max_invisibility: u32::MAX, ..LineOptions::default() };
 
-    let mut times: [Vec<f64>; 4] = Default::default();
+    let mut times: [Vec<f64>; 5] = Default::default();
     let (mut agreement, mut iso_edges) = (Agreement::default(), None);
     for camera in cameras(&bounds, arguments.views)? {
-        let mut fastest = [f64::INFINITY; 4];
+        let mut fastest = [f64::INFINITY; 5];
+        plain.find(&camera, &visible_only, &NoProgress)?;
         for _ in 0..arguments.runs {
-            let runs: [&mut dyn FnMut() -> Result<(), Failure>; 4] = [
+            let mut new = LineFinder::new(scene.clone(), &NoProgress)?;
+            let runs: [&mut dyn FnMut() -> Result<(), Failure>; 5] = [
                 &mut || draw(&theirs, &camera, false).map(drop),
                 &mut || Ok(drop(plain.find(&camera, &visible_only, &NoProgress)?)),
+                &mut || Ok(drop(new.find(&camera, &visible_only, &NoProgress)?)),
                 &mut || Ok(drop(many.find(&camera, &visible_only, &NoProgress)?)),
                 &mut || Ok(drop(LineFinder::new(new_scene(), &NoProgress)?.find(&camera, &visible_only, &NoProgress)?)),
             ];
@@ -174,12 +182,14 @@ fn measure(path: &PathBuf, arguments: &Arguments) -> Result<Row, Failure> {
         runs: arguments.runs,
         threads: 1,
         median_ms: median(&times[0]),
-        ours_ms: median(&times[1]),
-        ours_many_ms: median(&times[2]),
-        ours_first_ms: median(&times[3]),
-        ratio: ratio(1),
-        ratio_many: ratio(2),
-        ratio_first: ratio(3),
+        ours_seen_ms: median(&times[1]),
+        ours_new_ms: median(&times[2]),
+        ours_many_ms: median(&times[3]),
+        ours_prepared_ms: median(&times[4]),
+        ratio_seen: ratio(1),
+        ratio_new: ratio(2),
+        ratio_many: ratio(3),
+        ratio_prepared: ratio(4),
         iso_edges: iso_edges.unwrap_or_default(),
         agreement,
         machine: describe_machine(),

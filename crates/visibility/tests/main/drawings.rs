@@ -3,7 +3,7 @@
 
 use crate::oracle::{Oracle, STEPS};
 use crate::scenes::all_lines;
-use crate::whole_scenes::{FAMILIES, Family, Random, camera, scene};
+use crate::whole_scenes::{FAMILIES, Family, Random, camera, scene, seeds};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{Camera, Projection, Topology, TriangleMesh, VertexId, Viewpoint};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
@@ -182,14 +182,9 @@ fn is_end_on(camera: &Camera, ends: [Vec3; 2]) -> bool {
     across == DVec3::ZERO
 }
 
-/// Scenes of a family in each run; `SILHOUETTES_ORACLE` sets another number.
-fn seeds() -> u64 {
-    std::env::var("SILHOUETTES_ORACLE").ok().and_then(|seeds| seeds.parse().ok()).unwrap_or(600)
-}
-
 fn check(family: Family) {
     let mut sum = Tally::default();
-    for seed in 0..seeds() {
+    for seed in 0..seeds(600) {
         let mut random = Random::new(seed);
         let mesh = scene(family, &mut random);
         let Some(camera) = camera(&mesh, &mut random) else { continue };
