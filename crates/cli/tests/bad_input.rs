@@ -198,6 +198,28 @@ fn outputs_that_cannot_be_written() {
     assert_eq!(folder.names(), ["mesh.obj", "scene.gltf", "taken", "x.json"]);
 }
 
+/// Needles that all cross each other: more lines than anyone could tell apart.
+#[test]
+fn tangles_are_refused() {
+    let folder = Folder::new();
+    let share = |at: usize, step: usize| (at * step % 6007) as f64 / 6007.0;
+    let mut mesh = String::new();
+    for at in 0..6000 {
+        for (corner, x) in [-1, 1, 0].into_iter().enumerate() {
+            let [y, z] = [37, 101].map(|step| share(at, step * (corner + 1)));
+            mesh += &format!("v {x} {y} {z}\n");
+        }
+        mesh += "f -3 -2 -1\n";
+    }
+    let mesh = folder.file("needles.obj", mesh);
+    let result = folder.path("result.svg");
+    let line = refused(&["lines", &mesh, "-o", result.to_str().unwrap()]);
+    assert!(line.contains("needles.obj") && line.contains("over each other"), "{line}");
+    let line = refused(&["lines", &mesh, "--intersections", "-o", result.to_str().unwrap()]);
+    assert!(line.contains("needles.obj") && line.contains("intersection"), "{line}");
+    assert_eq!(folder.names(), ["needles.obj"], "nothing is written");
+}
+
 /// Each is refused with a line that names the option.
 fn arguments_of_lines(mesh: &str) {
     for (words, expected) in [
@@ -228,6 +250,9 @@ fn arguments_of_lines(mesh: &str) {
         (&["--creases", "30", "--ridge", "20"], "--ridge"),
         (&["--min-length", "-1mm"], "-1mm"),
         (&["--threads", "0"], "--threads"),
+        (&["--heal=far"], "--heal"),
+        (&["--heal=-1"], "--heal"),
+        (&["--heal=nan"], "--heal"),
     ] {
         let line = refused(&[&["lines", mesh], words].concat());
         assert!(line.contains(expected), "{words:?}: wanted '{expected}' in: {line}");

@@ -178,3 +178,30 @@ fn borders_of_materials_are_drawn_where_seams_are_welded() {
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(told.contains("builtin:cube: all faces are of one material and group"), "{told}");
 }
+
+/// A square beside two of half its side, one vertex of which lies on its edge: without gaps, but with a T-junction.
+#[test]
+fn t_junctions_are_boundaries_until_they_are_healed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("t.obj");
+    let left = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n";
+    let right = "v 3 0 0\nv 3 1 0\nv 2 1 0\nv 3 2 0\nf 2 5 6 7\nf 7 6 8 3\n";
+    std::fs::write(&path, format!("{left}{right}")).unwrap();
+    let path = path.to_str().unwrap();
+    let drawn = |arguments: &[&str]| {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("x.json");
+        let words = [&["lines", path, "--view", "front", "-o", file.to_str().unwrap()], arguments].concat();
+        let output = silhouettes(&words);
+        let found: Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
+        let chains = found["chains"].as_array().unwrap().clone();
+        let edges: usize = chains.iter().map(|chain| chain["edges"].as_array().unwrap().len()).sum();
+        (edges, String::from_utf8(output.stderr).unwrap())
+    };
+    let (edges, notes) = drawn(&[]);
+    assert_eq!((edges, notes.as_str()), (10, ""), "three edges run along the junction");
+    let (edges, notes) = drawn(&["--heal"]);
+    assert!(edges == 7 && notes.contains("divided at T-junctions: 1"), "{edges}: {notes}");
+    assert_eq!(drawn(&["--heal=0.5"]).0, 7);
+    assert_eq!(drawn(&["--no-boundaries"]).0, 0);
+}

@@ -47,8 +47,10 @@ pub enum LineError {
     /// Too many edges or faces lie over each other in this view.
     #[error("too many edges or faces lie over each other in this view; choose another view or fewer kinds of edges")]
     TooCrowded,
-    /// Too many faces lie in one place, or pass through each other, to find the lines in which they do.
-    #[error("too many faces pass through each other to draw the lines in which they do; leave out --intersections")]
+    /// Too many faces lie in one place, or pass through each other, to find their lines of intersection.
+    #[error(
+        "too many faces lie in one place or pass through each other to draw their lines of intersection; leave those out"
+    )]
     TooManyIntersections,
 }
 

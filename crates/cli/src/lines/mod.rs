@@ -60,10 +60,10 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let started = Instant::now();
     let wanted = arguments.line_options();
     let (prepare, lines) = if arguments.quick {
-        quick::find(&scene, &camera, &wanted, &progress)?
+        quick::find(&scene, &names, &camera, &wanted, &progress)?
     } else {
         let mut finder = LineFinder::new(scene.clone(), &progress)?;
-        (started.elapsed(), finder.find(&camera, &wanted, &progress).map_err(of_finding)?)
+        (started.elapsed(), finder.find(&camera, &wanted, &progress).map_err(|error| of_finding(&names, error))?)
     };
 
     let mut bytes = Vec::new();
@@ -114,7 +114,7 @@ fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result
     let healed = heal_t_junctions(&loaded.mesh, distance);
     let healed = healed.map_err(|error| Failure::Input(format!("--heal: {error}")))?;
     if healed.divided > 0 {
-        note(format!("{name}: {} edges divided at T-junctions", healed.divided));
+        note(format!("{name}: edges divided at T-junctions: {}", healed.divided));
     }
     if let Some(labels) = &mut loaded.labels {
         *labels = healed.face_of.iter().map(|face| labels[face.index()]).collect();
@@ -190,10 +190,11 @@ fn of_plotting(error: PlotError) -> Failure {
     }
 }
 
-fn of_finding(error: LineError) -> Failure {
+/// Why there are no lines of the meshes so named.
+fn of_finding(names: &str, error: LineError) -> Failure {
     match error {
         LineError::Cancelled(error) => error.into(),
-        error => Failure::input(error),
+        other => Failure::Input(format!("{names}: {other}")),
     }
 }
 

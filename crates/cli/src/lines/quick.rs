@@ -12,9 +12,10 @@ use std::time::{Duration, Instant};
 /// Pixels of ids along each side of a pixel of the view.
 const SCALE: u32 = 2;
 
-/// The lines, and the time that preparing took: adapter, pipeline and mesh. The time of drawing counts as projection.
+/// The lines of the meshes so named, and the time that preparing took: adapter, pipeline and mesh. The time of drawing counts as projection.
 pub fn find(
     scene: &LineScene,
+    names: &str,
     camera: &Camera,
     options: &LineOptions,
     progress: &TerminalProgress,
@@ -30,7 +31,7 @@ pub fn find(
     let drawn = pass.draw(&gpu, &buffers, camera, SCALE).map_err(Failure::run)?;
     let ids = FaceIds::new([drawn.width, drawn.height], drawn.values).map_err(Failure::run)?;
     let drawing = started.elapsed();
-    let mut lines = finder.find(camera, options, &ids, progress).map_err(of_finding)?;
+    let mut lines = finder.find(camera, options, &ids, progress).map_err(|error| of_finding(names, error))?;
     lines.stats.project += drawing;
     Ok((prepared, lines))
 }

@@ -1,6 +1,6 @@
 //! The same bits whatever the threads and whatever was asked before; cancelling at any moment; bounded memory.
 
-use crate::scenes::{all_lines, builtin, directions, framing, joined, look};
+use crate::scenes::{all_lines, builtin, directions, framing, joined, look, with_threads};
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::{Cancelled, FaceId, NoProgress, PreparedMesh, Progress};
 use silhouette_visibility::{ChainStyle, LineError, LineFinder, LineOptions, LineScene, Lines, SegmentSource};
@@ -25,12 +25,8 @@ fn bits(lines: &Lines) -> (Vec<ChainBits>, Vec<Vec<[u64; 2]>>) {
     (chains.collect(), lines.outline.rings.iter().map(polygon).collect())
 }
 
-fn with_threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap().install(work)
-}
-
 /// Everything that is drawn without curves, hidden lines included.
-fn options() -> LineOptions {
+pub fn options() -> LineOptions {
     let (ridge_deg, valley_deg) = (Some(30.0), Some(30.0));
     LineOptions { ridge_deg, valley_deg, mesh: true, max_invisibility: u32::MAX, ..LineOptions::default() }
 }
@@ -171,40 +167,4 @@ fn preparation_cancelled_at_any_poll_can_begin_again() {
         bits(&finder.find(&camera, &options(), &NoProgress).unwrap())
     };
     assert!(find(mesh) == find(fresh));
-}
-
-/// Peak of what a view allocates, in bytes, and the edges and contours that it looked at.
-fn peak(name: &str, options: &LineOptions) -> (u64, u64) {
-    with_threads(1, || {
-        let mesh = builtin(name);
-        let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
-        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
-        let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
-        let mut items = 0;
-        let allocated = allocation_counter::measure(|| {
-            let lines = finder.find(&camera, options, &NoProgress).unwrap();
-            items = lines.stats.edges + lines.stats.contours + lines.stats.events;
-        });
-        (allocated.bytes_max, items)
-    })
-}
-
-/// Bytes that an edge, contour or event may take at the peak: an edge as stroke (112), clipped (64), in a piece (80),
-/// placed (150) and in two sets of chains (2 x 150), each array up to twice as long as it is full.
-const BYTES_PER_ITEM: u64 = 1400;
-
-/// Bytes a face, for the facings and the silhouette of any view.
-const BYTES_PER_FACE: u64 = 8;
-
-#[test]
-fn memory_of_a_view_grows_with_what_is_drawn() {
-    for name in ["icosphere:3", "icosphere:5", "torus:64,32", "knot", "grid:200,200"] {
-        for options in [LineOptions::default(), options()] {
-            let (bytes, items) = peak(name, &options);
-            let faces = builtin(name).face_count() as u64;
-            eprintln!("{name}: {bytes} bytes, {items} items, {faces} faces");
-            let bound = items * BYTES_PER_ITEM + faces * BYTES_PER_FACE + (1 << 16);
-            assert!(bytes < bound, "{name}: {bytes} bytes for {items} edges, contours and events");
-        }
-    }
 }

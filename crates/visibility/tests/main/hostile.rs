@@ -2,10 +2,12 @@
 
 use crate::rays::{Tally, compare};
 use crate::scenes::{all_lines, builtin, directions, framing, joined, look};
+use crate::whole_scenes::{FAMILIES, Random, camera, scene};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::MAX_VIEWPORT;
-use silhouette_core::{Camera, NoProgress, PreparedMesh, Projection, Topology, TriangleMesh};
-use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines};
+use silhouette_core::{Camera, EdgeId, NoProgress, PreparedMesh, Projection, Topology, TriangleMesh};
+use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines, SegmentSource};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Silhouette and boundary edges alone, and every mesh edge.
@@ -308,22 +310,6 @@ fn all_edges_of_a_sheet_seen_edge_on() {
     check_edge_on("grid:64,64", 12_000, &LineOptions { mesh: true, ..LineOptions::default() });
 }
 
-/// Lines of sight that run along the sheet meet hundreds of faces each, more than a view may look at. Takes as long as a view
-/// may take, and is therefore left to thorough runs.
-#[test]
-fn all_of_a_million_edges_seen_edge_on_are_refused() {
-    if std::env::var_os("SILHOUETTES_ORACLE").is_none() {
-        eprintln!("skipped: SILHOUETTES_ORACLE is not set");
-        return;
-    }
-    let mesh = builtin("grid:578,578");
-    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
-    let projection = Projection::Orthographic { height: 3.0 };
-    let camera = Camera::new(Vec3::new(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y, projection, [1024, 1024]).unwrap();
-    let options = LineOptions { mesh: true, ..LineOptions::default() };
-    assert_eq!(finder.find(&camera, &options, &NoProgress).unwrap_err(), LineError::TooCrowded);
-}
-
 /// Many faces in one place, around one vertex, and around one edge: a result, and a true one.
 #[test]
 fn crowds_of_faces() {
@@ -346,4 +332,34 @@ fn crowds_of_faces() {
         assert!(lines.stats.edges >= least && !lines.chains.is_empty(), "{name}: {:?}", lines.stats);
         check(&mesh, &lines, 300, name);
     }
+}
+
+/// Kinds that are not wanted take no edge away from those of the mesh.
+#[test]
+fn every_edge_is_drawn_whatever_else_is_wanted() {
+    let (mut scenes, mut fewer) = (0, 0);
+    for seed in 0..200 {
+        let mut random = Random::new(seed);
+        let mesh = scene(FAMILIES[random.below(FAMILIES.len())], &mut random);
+        let Some(camera) = camera(&mesh, &mut random) else { continue };
+        let drawn = |options: &LineOptions| -> BTreeSet<EdgeId> {
+            let lines = all_lines(&mesh, &camera, options);
+            let sources = lines.chains.iter().flat_map(|chain| chain.sources.to_vec());
+            sources
+                .filter_map(|source| if let SegmentSource::Edge(edge) = source { Some(edge) } else { None })
+                .collect()
+        };
+        let every = LineOptions { mesh: true, ..LineOptions::default() };
+        let expected = drawn(&every);
+        for options in [
+            LineOptions { back_boundary: false, ..every.clone() },
+            LineOptions { boundary: false, silhouette: false, ..every.clone() },
+            LineOptions { ridge_deg: Some(30.0), valley_deg: Some(30.0), ..every.clone() },
+        ] {
+            assert!(drawn(&options) == expected, "seed {seed}: {options:?}");
+        }
+        fewer += usize::from(drawn(&LineOptions { mesh: false, ..every }).len() < expected.len());
+        scenes += 1;
+    }
+    assert!(scenes > 150 && fewer * 2 > scenes, "{fewer} of {scenes}");
 }

@@ -1,7 +1,8 @@
 //! Visible lines against brute force, closed forms and hostile scenes.
 
-#![allow(clippy::print_stderr, reason = "tests tell what they measured")]
+#![allow(clippy::print_stderr, reason = "tests report what they measured")]
 
+mod bounds;
 mod closed_forms;
 mod determinism;
 mod drawings;
@@ -10,7 +11,6 @@ mod invariance;
 mod octants;
 mod oracle;
 mod outline;
-
 mod rays;
 mod scenes;
 mod soups;

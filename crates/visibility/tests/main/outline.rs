@@ -186,6 +186,28 @@ fn a_contour_through_the_eye_leaves_the_outline_finite() {
     assert!(rings.iter().flatten().all(|corner| corner.is_finite()), "{rings:?}");
 }
 
+/// From within a solid, wound either way, all of the picture is covered; from within one that lacks a face, all but that face.
+#[test]
+fn an_eye_inside_of_a_solid_sees_it_everywhere() {
+    let cube = builtin("cube");
+    let inward =
+        TriangleMesh::new(cube.positions().to_vec(), cube.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect());
+    let camera = look(Vec3::ZERO, Vec3::new(0.1, 0.05, -1.0), 60.0, [640, 480]);
+    for mesh in [&cube, &inward.unwrap()] {
+        let outline = outline(mesh, &camera);
+        check_map(&outline);
+        assert_eq!((outline.rings.len(), outline.rings[0].len()), (1, 4), "{outline:?}");
+        assert!(is_inside(&outline.rings, DVec2::splat(100.0)) == Some(true));
+    }
+    let ahead = |corners: &[u32; 3]| corners.iter().all(|&corner| cube.positions()[corner as usize].z < 0.0);
+    let rest: Vec<[u32; 3]> = cube.triangles().iter().copied().filter(|corners| !ahead(corners)).collect();
+    let open = outline(&TriangleMesh::new(cube.positions().to_vec(), rest).unwrap(), &camera);
+    check_map(&open);
+    let hole = camera.project(DVec3::new(0.0, 0.0, -1.0)).unwrap().pixel;
+    assert_eq!(open.regions().map(<[_]>::len).collect::<Vec<_>>(), [2], "a hole in what is covered");
+    assert_eq!(is_inside(&open.rings, hole), Some(false));
+}
+
 /// Random scenes in which edges lie on edges, seen along axes and from eyes in the planes of faces, wholly in front of the eye
 /// or not.
 #[test]

@@ -55,3 +55,8 @@ pub fn look(eye: Vec3, target: Vec3, fov_deg: f64, size: [u32; 2]) -> Camera {
 pub fn joined(meshes: &[&TriangleMesh]) -> TriangleMesh {
     LineScene::of_meshes(meshes).unwrap().mesh().mesh().as_ref().clone()
 }
+
+/// Does work on so many threads.
+pub fn with_threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap().install(work)
+}

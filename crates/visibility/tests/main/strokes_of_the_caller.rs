@@ -45,6 +45,29 @@ fn the_line_in_which_two_cubes_meet_is_closed_and_half_hidden() {
     );
 }
 
+/// Cubes that share a part of a side, an edge or a corner touch and do not pass through each other; pushed into each other by
+/// the last bit, they do.
+#[test]
+fn surfaces_that_touch_do_not_intersect() {
+    let cube = builtin("cube");
+    let side = (cube.positions()[0].x * 2.0).abs();
+    let options = LineOptions { intersection: true, max_invisibility: u32::MAX, ..LineOptions::default() };
+    let drawn = |by: Vec3| {
+        let lines =
+            find(LineScene::of_meshes(&[&cube, &moved(&cube, by)]).unwrap(), DVec3::new(0.5, 0.6, 1.0), &options);
+        lines.chains.iter().filter(|chain| chain.style.kind == LineKind::Intersection).count()
+    };
+    for by in [
+        Vec3::new(side, 0.0, 0.0),
+        Vec3::new(side, side * 0.25, side * 0.5),
+        Vec3::new(side, side, side * 0.5),
+        Vec3::new(side, side, side),
+    ] {
+        assert_eq!(drawn(by), 0, "{by}");
+    }
+    assert!(drawn(Vec3::new(side.next_down(), side * 0.25, side * 0.5)) > 0);
+}
+
 /// A circle of radius 1.3 about an icosphere of radius 1, as four cubic pieces.
 fn ring() -> Vec<CurvePiece> {
     let (radius, handle) = (1.3_f32, 1.3_f32 * 0.552_284_8);

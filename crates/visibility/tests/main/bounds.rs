@@ -1,0 +1,107 @@
+//! What a view may cost at most: memory and work.
+
+use crate::determinism::options;
+use crate::scenes::{builtin, framing, with_threads};
+use crate::whole_scenes::Random;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::{Camera, NoProgress, PreparedMesh, Projection, TriangleMesh};
+use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene};
+use std::sync::Arc;
+
+/// Peak of what a view allocates, in bytes, and the edges and contours that it looked at.
+fn peak(name: &str, options: &LineOptions) -> (u64, u64) {
+    with_threads(1, || {
+        let mesh = builtin(name);
+        let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
+        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
+        let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
+        let mut items = 0;
+        let allocated = allocation_counter::measure(|| {
+            let lines = finder.find(&camera, options, &NoProgress).unwrap();
+            items = lines.stats.edges + lines.stats.contours + lines.stats.events;
+        });
+        (allocated.bytes_max, items)
+    })
+}
+
+/// Bytes that an edge, contour or event may take at the peak: an edge as stroke (112), clipped (64), in a piece (80),
+/// placed (150) and in two sets of chains (2 x 150), each array up to twice as long as it is full.
+const BYTES_PER_ITEM: u64 = 1400;
+
+/// Bytes a face, for the facings and the silhouette of any view.
+const BYTES_PER_FACE: u64 = 8;
+
+#[test]
+fn memory_of_a_view_grows_with_what_is_drawn() {
+    for name in ["icosphere:3", "icosphere:5", "torus:64,32", "knot", "grid:200,200"] {
+        for options in [LineOptions::default(), options()] {
+            let (bytes, items) = peak(name, &options);
+            let faces = builtin(name).face_count() as u64;
+            eprintln!("{name}: {bytes} bytes, {items} items, {faces} faces");
+            let bound = items * BYTES_PER_ITEM + faces * BYTES_PER_FACE + (1 << 16);
+            assert!(bytes < bound, "{name}: {bytes} bytes for {items} edges, contours and events");
+        }
+    }
+}
+
+/// Lines of sight that run along the sheet meet hundreds of faces each, more than a view may look at. Takes as long as a view
+/// may take, and is therefore left to thorough runs.
+#[test]
+fn all_of_a_million_edges_seen_edge_on_are_refused() {
+    if std::env::var_os("SILHOUETTES_ORACLE").is_none() {
+        eprintln!("skipped: SILHOUETTES_ORACLE is not set");
+        return;
+    }
+    let mesh = builtin("grid:578,578");
+    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
+    let projection = Projection::Orthographic { height: 3.0 };
+    let camera = Camera::new(Vec3::new(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y, projection, [1024, 1024]).unwrap();
+    let options = LineOptions { mesh: true, ..LineOptions::default() };
+    assert_eq!(finder.find(&camera, &options, &NoProgress).unwrap_err(), LineError::TooCrowded);
+}
+
+/// Meshes of which every face lies over every other, with the options that make the most of them: a drawing, or one line that
+/// says why there is none, and never more memory than a small machine has.
+#[test]
+fn tangles_are_drawn_or_refused_within_a_gibibyte() {
+    let mut random = Random::new(7);
+    let mut place = || random.below(1 << 20) as f32 / (1 << 20) as f32;
+    let mut needles = Vec::new();
+    for _ in 0..6000 {
+        needles.extend([-1.0, 1.0, 0.0].map(|x| [x, place(), place()]));
+    }
+    let across = |at: usize| at as f32 / 1500.0 - 1.0;
+    let lattice = (0..3000).flat_map(|at| {
+        let (from, to) = (across(at), across(at) + 1e-4);
+        [
+            [[-1.0, from, 0.0], [1.0, from, 0.0], [1.0, to, 1e-4]],
+            [[from, -1.0, 1.0], [from, 1.0, 1.0], [to, 1.0, 1.0001]],
+        ]
+    });
+    let lattice: Vec<[f32; 3]> = lattice.flatten().collect();
+    let apart = |corners: &[[f32; 3]]| {
+        let faces = (0..corners.len() as u32 / 3).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+        TriangleMesh::new(corners.iter().copied().map(Vec3::from).collect(), faces).unwrap()
+    };
+    let every = LineOptions { mesh: true, outline: true, max_invisibility: u32::MAX, ..LineOptions::default() };
+    let all = [LineOptions::default(), LineOptions { intersection: true, ..LineOptions::default() }, every];
+    let mut refused = 0;
+    for (name, mesh) in [("needles", apart(&needles)), ("lattice", apart(&lattice)), ("cone", builtin("cone:65536"))] {
+        let camera = framing(&mesh, DVec3::new(0.3, 0.2, 1.0), true);
+        for options in &all {
+            let mut result = None;
+            // Of one thread what it allocates is counted.
+            let allocated = with_threads(1, || {
+                allocation_counter::measure(|| {
+                    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+                    result = Some(LineFinder::new(scene, &NoProgress).unwrap().find(&camera, options, &NoProgress));
+                })
+            });
+            let outcome = result.unwrap().map(|lines| lines.chains.len());
+            eprintln!("{name}: {outcome:?}, {} MB", allocated.bytes_max >> 20);
+            assert!(allocated.bytes_max < 1 << 30, "{name}: {} bytes", allocated.bytes_max);
+            refused += usize::from(outcome.is_err());
+        }
+    }
+    assert!(refused > 0, "no limit was reached");
+}
