@@ -8,6 +8,7 @@
 //!    area is kept, which on a scan is little.
 //! 3. `cycles.rs`, `union.rs`: what remains is united by `i_overlay`, with the rule that a point is inside where its winding
 //!    number is above 0.
+//! 4. `nesting.rs`: the rings are sorted into regions.
 //!
 //! The winding number of a point is the number of layers there, which is why closed and open meshes, meshes that are wound
 //! against each other and meshes that overlap need no case of their own. A face seen edge-on has no area and adds nothing.
@@ -17,10 +18,12 @@ mod chain;
 mod chain_map;
 mod cycles;
 mod lattice;
+mod nesting;
 mod resolve;
 mod union;
 mod window;
 
+use self::lattice::{Point, pixel};
 use crate::contours::Contour;
 use crate::finder::LineError;
 use crate::frame::PictureFrame;
@@ -91,5 +94,7 @@ pub fn outline(
     // Only a crowd is worth looking for edges that lie on each other.
     let bounds = resolve::resolve(&chain).or_else(|_| resolve::resolve(&chain::without_repeats(chain)))?;
     progress.check()?;
-    Ok(union::union(&cycles::cycles(bounds)))
+    let regions = nesting::regions(union::union(&cycles::cycles(bounds)));
+    let in_pixels = |ring: Vec<Point>| ring.into_iter().map(pixel).collect();
+    Ok(Outline::of_regions(regions.into_iter().map(|region| region.into_iter().map(in_pixels).collect())))
 }

@@ -18,6 +18,10 @@ const SURROUNDINGS: f64 = 8.0;
 /// Places of the border that layers are counted at until it is certain how many there are.
 const TRIALS: usize = 8;
 
+/// How far apart those places are, in stretches of the border without a crossing: the golden ratio, of which no few multiples
+/// come close to each other, nor to the middle, where symmetric scenes have edges.
+const TRIAL_STEP: f64 = 0.618_033_988_749_895;
+
 /// Faces that a task takes: some 0.05 ms of work.
 const FACES_PER_TASK: usize = 2048;
 
@@ -143,7 +147,9 @@ impl Window {
     pub fn push(&self, ends: [&Homogeneous; 2], layers: u32, middle: &Homogeneous, out: &mut CutChain) {
         let Some((range, cut)) = self.clip(ends) else { return };
         let [a, b] = ends;
-        let pixels = range.map(|t| a.scaled_pixel.lerp(b.scaled_pixel, t) / (a.w + (b.w - a.w) * t));
+        let cut_off = |t: f64| a.scaled_pixel.lerp(b.scaled_pixel, t) / (a.w + (b.w - a.w) * t);
+        // Ends that stay are where other edges have them, to the bit.
+        let pixels = [0, 1].map(|end: usize| if cut[end] { cut_off(range[end]) } else { ends[end].pixel() });
         let mut places = pixels.map(snap);
         for end in [0, 1].into_iter().filter(|&end| cut[end]) {
             let (mut at, mut place) = self.on_border(places[end]);
@@ -181,19 +187,15 @@ impl Window {
         edges
     }
 
-    /// A place of the border at which it is certain how many layers there are: in the middle of the longest gap between
-    /// crossings where that will do.
+    /// A place of the border at which it is certain how many layers there are, in the longest stretch between crossings.
     fn known_place(&self, crossings: &[Crossing], view: &ViewedMesh<'_>, frame: &PictureFrame) -> (i64, i32) {
         let after_last = crossings.first().map(|first| first.at + self.length());
         let ends = crossings.iter().skip(1).map(|crossing| crossing.at).chain(after_last);
-        let mut gaps: Vec<(i64, i64)> = crossings.iter().zip(ends).map(|(from, to)| (to - from.at, from.at)).collect();
-        if gaps.is_empty() {
-            gaps.extend((0..TRIALS).map(|trial| (0, self.length() / TRIALS as i64 * trial as i64)));
-        }
-        gaps.sort_unstable_by(|one, other| other.cmp(one));
-        let mut last = (0, 0);
-        for (length, from) in gaps.into_iter().take(TRIALS) {
-            let at = (from + length / 2) % self.length();
+        let stretches = crossings.iter().zip(ends).map(|(begin, end)| (end - begin.at, begin.at));
+        let (length, begin) = stretches.max().unwrap_or((self.length(), 0));
+        let places = (1..=TRIALS).map(|trial| (trial as f64 * TRIAL_STEP).fract());
+        let mut last = (begin, 0);
+        for at in places.map(|share| (begin + (length as f64 * share) as i64) % self.length()) {
             let (layers, is_certain) = layers_at(view, frame, pixel(self.place(at)));
             last = (at, layers);
             if is_certain {
@@ -225,7 +227,8 @@ impl Window {
 fn layers_at(view: &ViewedMesh<'_>, frame: &PictureFrame, pixel: DVec2) -> (i32, bool) {
     let ray = pixel.extend(1.0);
     let at_face = |face: FaceId| {
-        if view.unpaired.is_flat(face) {
+        if view.unpaired.is_flat(face) || view.turn(face).is_tie() {
+            // Seen edge-on.
             return (0, true);
         }
         let corners = view.mesh.corners(face).map(|corner| {

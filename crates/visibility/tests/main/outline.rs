@@ -106,7 +106,11 @@ fn check_map(outline: &Outline) {
         for (index, hole) in holes.iter().enumerate() {
             assert!(twice_area(hole) < 0.0, "a hole runs clockwise");
             assert!(inside(hole, outer), "a hole lies in its region");
-            assert!(!holes.iter().enumerate().any(|(other, of)| other != index && inside(hole, of)), "holes lie apart");
+            // A hole may be a sliver along another, so near that no corner of it tells.
+            let reaches_into =
+                |of: &[DVec2]| hole.iter().any(|&corner| is_inside(&[of.to_vec()], corner) == Some(true));
+            let mut others = holes.iter().enumerate().filter(|(other, _)| *other != index);
+            assert!(!others.any(|(_, of)| reaches_into(of)), "holes lie apart");
         }
     }
     let twice: f64 = outline.rings.iter().map(|ring| twice_area(ring)).sum();
@@ -218,6 +222,8 @@ fn outlines_of_random_scenes_are_planar_maps_around_what_is_covered() {
         let mesh = scene(FAMILIES[random.below(FAMILIES.len())], &mut random);
         let Some(camera) = camera(&mesh, &mut random) else { continue };
         let outline = outline(&mesh, &camera);
+        let points: usize = outline.rings.iter().map(Vec::len).sum();
+        assert!(points < 500, "seed {seed}: {points} points of {} faces", mesh.face_count());
         check_map(&outline);
         let view = camera.view_matrix();
         let corners = |triangle: &[u32; 3]| {
