@@ -11,6 +11,7 @@ mod invariance;
 mod octants;
 mod oracle;
 mod outline;
+mod outline_raster;
 mod rays;
 mod scenes;
 mod soups;

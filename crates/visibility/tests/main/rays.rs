@@ -131,7 +131,8 @@ const MODELS: [&str; 8] = [
     "armadillo.obj",
 ];
 
-fn is_thorough() -> bool {
+/// Whether a long run is wanted.
+pub fn is_thorough() -> bool {
     std::env::var_os("SILHOUETTES_ORACLE").is_some()
 }
 
