@@ -1,4 +1,4 @@
-//! One mesh: prepared for each case with each number of threads, then view by view all of them in turn.
+//! One mesh: prepared for each case with each number of threads, then all of them in turn, a few views at a time.
 
 use crate::row::{CameraNumbers, Counts, LinesRow, Stages};
 use crate::threads::Threads;
@@ -77,6 +77,13 @@ const CASES: [(Metric, &str); 6] = [
 const PLAIN: &str = "plain";
 const MANY_VIEWS: &str = "many-views";
 
+/// Views that one finder is timed in before the next takes its turn: other tools, too, draw view after view.
+const SEQUENCE: usize = 4;
+
+/// How long it finds the view before those, untimed: until its data are where its last view left them, and the system has
+/// put its threads, which waited while others took their turns, on processors of their own.
+const WARM_UP: Duration = Duration::from_millis(40);
+
 /// Which views are timed.
 const VIEWS: [&str; 2] = ["still", "orbit"];
 
@@ -101,6 +108,17 @@ struct Cell {
     points: Vec<f64>,
     length_px: Vec<f64>,
     area_px: Vec<f64>,
+}
+
+impl Cell {
+    fn push(&mut self, lines: &Lines, took: Duration) {
+        self.times_ms.push(milliseconds(took));
+        self.stats.push(lines.stats);
+        self.chains.push(lines.chains.len() as f64);
+        self.points.push(lines.chains.point_count() as f64);
+        self.length_px.push(lines.chains.iter().map(|chain| chain.length_px()).sum());
+        self.area_px.push(lines.outline.area_px());
+    }
 }
 
 impl Prepared {
@@ -146,25 +164,27 @@ impl Prepared {
         self.finder.find(camera, &LineOptions { max_invisibility, ..LineOptions::default() }, &NoProgress)
     }
 
-    /// Times one view on the current threads, after the one before it, as in a sequence; yields what it found.
+    /// Times views that follow each other on the current threads, after some runs of the one before them; yields what it
+    /// found.
     fn time(
         &mut self,
         case: usize,
         views: usize,
-        [before, camera]: [&Camera; 2],
-    ) -> Result<(Chains, Outline), LineError> {
-        black_box(self.find(case, before)?);
-        let start = Instant::now();
-        let lines = black_box(self.find(case, camera)?);
-        let took = start.elapsed();
-        let cell = &mut self.cells[views];
-        cell.times_ms.push(milliseconds(took));
-        cell.stats.push(lines.stats);
-        cell.chains.push(lines.chains.len() as f64);
-        cell.points.push(lines.chains.point_count() as f64);
-        cell.length_px.push(lines.chains.iter().map(|chain| chain.length_px()).sum());
-        cell.area_px.push(lines.outline.area_px());
-        Ok((lines.chains, lines.outline))
+        before: &Camera,
+        cameras: &[Camera],
+    ) -> Result<Vec<(Chains, Outline)>, LineError> {
+        let begun = Instant::now();
+        while begun.elapsed() < WARM_UP {
+            black_box(self.find(case, before)?);
+        }
+        let mut found = Vec::with_capacity(cameras.len());
+        for camera in cameras {
+            let start = Instant::now();
+            let lines = black_box(self.find(case, camera)?);
+            self.cells[views].push(&lines, start.elapsed());
+            found.push((lines.chains, lines.outline));
+        }
+        Ok(found)
     }
 }
 
@@ -204,17 +224,19 @@ pub fn measure_mesh(
         }
     }
     let count = runs.len();
-    for view in 0..views as usize {
+    for first in (0..views as usize).step_by(SEQUENCE) {
         for kind in 0..VIEWS.len() {
-            let mut expected: BTreeMap<Metric, (Chains, Outline)> = BTreeMap::new();
+            let mut expected: BTreeMap<Metric, Vec<(Chains, Outline)>> = BTreeMap::new();
             // Who comes first changes, so that none is always the one behind an idle or a busy moment.
-            for place in (0..count).map(|turn| (view + turn) % count) {
+            for place in (0..count).map(|turn| (first / SEQUENCE + turn) % count) {
                 let (case, threads, prepared) = &mut runs[place];
                 let metric = CASES[*case].0;
                 let (still, orbit) = &cameras[&metric];
-                let before = &orbit[(view + orbit.len() - 1) % orbit.len()];
-                let sequence = [[still, still], [before, &orbit[view]]][kind];
-                let found = threads.install(|| prepared.time(*case, kind, sequence))?;
+                let of_orbit = &orbit[first..(first + SEQUENCE).min(orbit.len())];
+                let before = &orbit[(first + orbit.len() - 1) % orbit.len()];
+                let stills = vec![*still; of_orbit.len()];
+                let (before, sequence) = [(still, &stills[..]), (before, of_orbit)][kind];
+                let found = threads.install(|| prepared.time(*case, kind, before, sequence))?;
                 let expected = expected.entry(metric).or_insert_with(|| found.clone());
                 assert!(*expected == found, "{name}: what is found depends on threads or preparation");
             }

@@ -12,9 +12,10 @@ type Key = [[i64; 2]; 4];
 const LEAST_TOLERANCE: f64 = 0.002;
 
 /// Removes what lies on an earlier segment of the same or of an earlier layer: of a straight segment the stretches that run
-/// along others within `tolerance`, in page units, of a curve all of it where both ends and both handles are printed alike, in either direction. What remains of a path
-/// that loses some becomes several open paths. `layers` come in the order of precedence. Yields of how many segments
-/// something was removed. O(segments + pairs that pass the same place), expected.
+/// along others within `tolerance`, in page units; of a curve all of it where both ends and both handles are printed alike,
+/// in either direction. What remains of a path that loses some becomes several open paths. `layers` come in the order of
+/// precedence. Yields the number of segments from which something was removed. O(segments + pairs that pass the same
+/// place), expected.
 ///
 /// Segments too short to print stay.
 pub fn dedupe(layers: &mut [&mut Paths], tolerance: f64) -> u64 {
