@@ -29,7 +29,7 @@ pub struct ClippedEdge {
     pub range: [f64; 2],
     /// Pixels at both ends of the range. Not finite where the edge passes through the eye.
     pub pixels: [DVec2; 2],
-    /// By how much rounding may have moved them, in pixels.
+    /// By how much rounding may have moved them, in pixels; infinite where they are not finite.
     pub doubt_px: f64,
     /// Least and largest distance along the viewing axis, doubt included.
     pub depths: [f64; 2],
@@ -50,7 +50,7 @@ impl ClippedEdge {
     }
 }
 
-/// Whether both points lie farther than `reach` on one side of the line through two others. Never for what is not finite.
+/// Whether both points lie farther than `reach` on one side of the line through two others. Never for an infinite reach.
 #[inline]
 fn beside([a, b]: [DVec2; 2], points: [DVec2; 2], reach: f64) -> bool {
     let along = b - a;
@@ -153,7 +153,31 @@ impl PictureFrame {
         let [from, to] = range.map(at);
         // The farther the point from the eye's plane, the less an error of the numerator shows.
         let doubt_px = self.error * (1.0 + self.size.max_element()) / from.w.min(to.w).max(f64::MIN_POSITIVE);
+        let pixels = [from.pixel(), to.pixel()];
+        let doubt_px = if pixels.iter().all(|pixel| pixel.is_finite()) { doubt_px } else { f64::INFINITY };
         let depths = [from.depth.min(to.depth) - self.depth_error, from.depth.max(to.depth) + self.depth_error];
-        Some(ClippedEdge { range, pixels: [from.pixel(), to.pixel()], doubt_px, depths })
+        Some(ClippedEdge { range, pixels, doubt_px, depths })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An edge from the eye across the viewing axis has no place in the picture: the displaced viewer may see it anywhere.
+    #[test]
+    fn an_edge_through_the_eye_may_cross_any_other() {
+        let eye = Vec3::new(4.0, 2.0, 2.0);
+        let projection = Projection::Perspective { fov_y_rad: 1.4 };
+        let camera = Camera::new(eye, Vec3::new(4.0, 0.0, 1.0), Vec3::Y, projection, [512, 512]).unwrap();
+        let frame = PictureFrame::new(&camera, 6.0);
+        for along in [Vec3::NEG_X, Vec3::X, Vec3::new(0.0, -1.0, 2.0)] {
+            let through = frame.clip([eye + along, eye], 1.0).unwrap();
+            assert!(through.doubt_px.is_infinite() || through.pixels.iter().all(|pixel| pixel.is_finite()));
+            for ends in [[Vec3::new(3.0, 0.0, 0.0), Vec3::new(3.0, 0.0, 3.0)], [Vec3::ZERO, Vec3::new(6.0, 0.0, 0.0)]] {
+                let other = frame.clip(ends, 1.0).unwrap();
+                assert!(through.may_cross(&other) && other.may_cross(&through), "{through:?} and {other:?}");
+            }
+        }
     }
 }

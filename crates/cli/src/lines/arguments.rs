@@ -22,9 +22,9 @@ pub struct LinesArguments {
     /// Threads to work with [default: as many as the machine runs]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
-    /// Looks up what is visible in a picture of face ids, twice as fine as the view, instead of deciding it exactly: misses
-    /// less than 0.5 % of the visible length, and on fine meshes draws nearly as much again that is hidden, all but 0.2 % of
-    /// it within a pixel of a visible line; needs an adapter
+    /// Looks up what is visible in a picture of face ids, twice as fine as the view, instead of deciding it exactly: misses up
+    /// to 1 % of the visible length, and on fine meshes draws nearly as much again that is hidden, most of it within a pixel
+    /// of a visible line; needs an adapter
     #[arg(long, conflicts_with_all = ["hidden", "outline", "intersections"])]
     pub quick: bool,
     /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries [--weld alone: 0]
@@ -34,7 +34,7 @@ pub struct LinesArguments {
     /// boundaries; joins vertices as --weld does [--heal alone: a millionth of the mesh's largest extent]
     #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "auto")]
     pub heal: Option<HealDistance>,
-    /// Say on standard error what was found, how long each stage took and how far the lifted pen travels
+    /// Report on standard error what was found, how long each stage took and how far the lifted pen travels
     #[arg(long)]
     pub stats: bool,
     #[command(flatten)]
