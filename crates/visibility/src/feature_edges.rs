@@ -90,14 +90,19 @@ impl Judge<'_> {
     /// By how much two wings bend is the angle by which they differ from one plane, whatever their winding. Where two wings
     /// are wound consistently, winding tells a ridge from a valley; where they are not, or there are more, the edge is both.
     fn crease(&self, edge: EdgeId, wings: &[Wing]) -> Option<LineKind> {
-        if self.options.ridge_deg.is_none() && self.options.valley_deg.is_none() {
-            return None;
-        }
+        let thresholds = [self.options.ridge_deg, self.options.valley_deg];
+        let least_threshold = thresholds.into_iter().flatten().reduce(f64::min)?;
         let [a, b] = self.topology.edges()[edge].map(|vertex| self.mesh.positions()[vertex as usize]);
         let along = b.as_dvec3() - a.as_dvec3();
         // Perpendicular to the wing: wings of one plane on both sides of the edge have opposite ones.
         let across = |wing: &Wing| along.cross(wing.apex.as_dvec3() - a.as_dvec3());
         let angle = |one: DVec3, other: DVec3| one.cross(other).length().atan2(one.dot(other));
+        if let [one, other] = wings
+            && angle(across(one), -across(other)).to_degrees() < least_threshold
+        {
+            // Nearly all edges of most meshes.
+            return None;
+        }
         let mut distinct: Vec<(DVec3, Vec<&Wing>)> = Vec::with_capacity(wings.len());
         for wing in wings {
             let normal = across(wing);
