@@ -7,6 +7,7 @@ use crate::scene::{CurvePiece, LineScene};
 use crate::stroke::{Stroke, Strokes};
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// Largest distance in the picture between a curve and the chords that stand for it when it is decided what hides it.
 const CHORD_ERROR_PX: f64 = 0.05;
@@ -76,6 +77,7 @@ pub fn push_strokes(scene: &LineScene, frame: &PictureFrame, first_id: u32, stro
                     kind: LineKind::Curve,
                     object: curve.object,
                     own: 0..0,
+                    surface: OnceLock::new(),
                 };
                 strokes.push_curve(stroke, curve.on_faces.iter().copied(), CurvePart { piece, range });
             }

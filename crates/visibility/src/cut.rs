@@ -275,10 +275,10 @@ impl Cutter<'_> {
         }
         let (own, view) = (self.strokes.own_faces(stroke), &self.sight.view);
         if let Some((edge, change)) = contour.contour.zip(event.change.as_mut())
-            && view.topology.faces(edge).any(|face| own.contains(&face))
+            && view.topology.faces(edge).any(|face| own.contains(face))
         {
             let toward_left = if *change == contour.crossed.to_the_left { 1 } else { -1 };
-            *change = view.change_to_the_left(edge, |face| !own.contains(&face)).times(toward_left);
+            *change = view.change_to_the_left(edge, |face| !own.contains(face)).times(toward_left);
         }
         event
     }
@@ -298,7 +298,7 @@ impl Cutter<'_> {
             *faces += 1;
             let Some(meeting) = (Segment { ends, vertices }).meeting(view.mesh, &candidate) else { return };
             let stroke = &self.strokes.strokes[strokes[at] as usize];
-            if self.strokes.own_faces(stroke).contains(&meeting.face) {
+            if self.strokes.own_faces(stroke).contains(meeting.face) {
                 return;
             }
             *is_met = true;

@@ -11,17 +11,16 @@
 //! `8 x 2^-23`; a slab's parameter comes from a difference and a product, each within `2^-24`, so that its plane appears
 //! moved by at most `3 x 2^-24 x 8`. In all below `54 x 2^-24`, a third of the growth.
 
+use crate::bvh::{Boxed, build};
 use crate::fan::Fan;
 use obvhs::aabb::Aabb;
-use obvhs::bvh2::{Bvh2, builder::build_bvh2, node::Bvh2Node};
+use obvhs::bvh2::{Bvh2, node::Bvh2Node};
 use obvhs::ray::Ray;
-use obvhs::{Boundable, BvhBuildParams};
 use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3, Vec3A};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
 use std::ops::Range;
-use std::time::Duration;
 
 /// By how much boxes are grown on every side, in units of half the scene's largest extent. See the [module](self).
 const GROWTH: f32 = 1.0e-5;
@@ -91,20 +90,6 @@ struct Tree {
 /// The places of a leaf's faces in the order of the leaves.
 fn places(leaf: &Bvh2Node) -> Range<usize> {
     leaf.first_index as usize..(leaf.first_index + leaf.prim_count) as usize
-}
-
-#[derive(Clone, Copy)]
-struct Boxed(Aabb);
-
-impl Boundable for Boxed {
-    fn aabb(&self) -> Aabb {
-        self.0
-    }
-}
-
-fn build(boxes: &[Boxed]) -> Bvh2 {
-    let mut time = Duration::ZERO;
-    if boxes.is_empty() { Bvh2::default() } else { build_bvh2(boxes, BvhBuildParams::fast_build(), &mut time) }
 }
 
 impl Tree {

@@ -4,13 +4,12 @@
 //! them. Seen from the apex, each face is an arc: that of its opposite edge. And so is the segment, so that the faces that it
 //! may meet are those whose arcs its own arc may meet. Boxes are around arcs on the unit sphere.
 
+use crate::bvh::{Boxed, build};
 use crate::face_tree::Candidate;
 use obvhs::aabb::Aabb;
-use obvhs::bvh2::{Bvh2, builder::build_bvh2};
-use obvhs::{Boundable, BvhBuildParams};
+use obvhs::bvh2::Bvh2;
 use silhouette_core::glam::{DVec3, Vec3A};
 use silhouette_core::{FaceId, TriangleMesh};
-use std::time::Duration;
 
 /// By how much boxes are grown on every side, beyond the height of the arc over its chord. A direction of length 1 is rounded
 /// to within `2^-24` on each axis, and computed to within far less.
@@ -30,14 +29,6 @@ pub struct Fan {
     near: f64,
     bvh: Bvh2,
     faces: Vec<Candidate>,
-}
-
-struct Boxed(Aabb);
-
-impl Boundable for Boxed {
-    fn aabb(&self) -> Aabb {
-        self.0
-    }
 }
 
 /// A box around the arc between two directions.
@@ -68,9 +59,7 @@ impl Fan {
             }
         };
         let arcs: Vec<Boxed> = faces.iter().map(arc).collect();
-        let mut time = Duration::ZERO;
-        let bvh =
-            if arcs.is_empty() { Bvh2::default() } else { build_bvh2(&arcs, BvhBuildParams::fast_build(), &mut time) };
+        let bvh = build(&arcs);
         let candidate = |&face: &FaceId| {
             let vertices = mesh.triangles()[face.index()];
             Candidate { face, vertices, may_hold: [true; 2] }

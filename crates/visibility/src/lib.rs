@@ -78,6 +78,7 @@
 //!    exactly edge-on, its near rim is drawn whatever the displaced viewer sees of the wall.
 
 mod around_vertex;
+mod bvh;
 mod cache;
 mod chains;
 mod clear_edges;

@@ -19,7 +19,7 @@ use crate::sight::Sight;
 use crate::stroke::Strokes;
 use crate::vertex_faces::VertexFaces;
 use rayon::prelude::*;
-use silhouette_core::{FaceId, Progress};
+use silhouette_core::Progress;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -177,19 +177,19 @@ impl Propagation<'_> {
         let own = self.strokes.own_faces(stroke);
         let faces = self.vertex_faces.of(end.vertex);
         let mut rest = end.offset;
-        rest.add(self.sight.layers_near_end(stroke, end.end, faces, |face| own.contains(&face)), -1);
+        rest.add(self.sight.layers_near_end(stroke, end.end, faces, |face| own.contains(face)), -1);
         rest
     }
 
     /// The layers in front of the gap that a seed names.
     fn look(&self, all_spans: &[Span], gaps: &[Gap], seed: &Seed) -> Looked {
         let stroke = &self.strokes.strokes[all_spans[seed.span as usize].stroke as usize];
-        let own: &[FaceId] = self.strokes.own_faces(stroke);
+        let own = self.strokes.own_faces(stroke);
         let range = gaps[seed.gap].range;
         let mut looked = Looked { layers: Layers::NONE, sight_lines: 0, faces: 0 };
         for share in TRIALS {
             let t = range[0] + (range[1] - range[0]) * share;
-            let seen = self.sight.look(stroke, t, |face| own.contains(&face));
+            let seen = self.sight.look(stroke, t, |face| own.contains(face));
             looked.layers = seen.layers;
             looked.sight_lines += 1;
             looked.faces += seen.faces;

@@ -20,7 +20,7 @@ use crate::outline::Outline;
 use crate::pieces::Piece;
 use crate::scene::{Extent, LineScene};
 use crate::select::Selector;
-use crate::stroke::{Stroke, Strokes};
+use crate::stroke::{OwnFaces, Stroke, Strokes};
 use crate::unpaired::UnpairedEdges;
 use crate::viewed_mesh::ViewedMesh;
 use rayon::prelude::*;
@@ -160,11 +160,11 @@ struct IdEye<'a> {
 
 impl IdEye<'_> {
     /// Whether the face seen at a pixel of the ids lets a point on an edge through, `own` being the faces at the edge.
-    fn lets_through(&self, pixel: DVec2, point: DVec3, own: &[FaceId]) -> bool {
+    fn lets_through(&self, pixel: DVec2, point: DVec3, own: OwnFaces<'_>) -> bool {
         let Some(face) = self.ids.face_at(pixel).filter(|face| face.index() < self.mesh.face_count()) else {
             return true;
         };
-        if own.contains(&face) {
+        if own.contains(face) {
             return true;
         }
         let [a, b, c] = self.mesh.corners(face).map(Vec3::as_dvec3);

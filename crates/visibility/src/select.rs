@@ -29,6 +29,7 @@ use silhouette_core::{
     TriangleMesh,
 };
 use silhouette_extraction::ClusterCones;
+use std::sync::OnceLock;
 
 /// Selects the edges of one view after another; what does not depend on the view is found once for each choice of kinds.
 #[derive(Default)]
@@ -183,6 +184,7 @@ fn mesh_strokes(
             kind,
             object: scene.object_of(first_face),
             own: 0..0,
+            surface: OnceLock::new(),
         })
     };
     let found: Vec<Option<Stroke>> = known.par_iter().with_min_len(EDGES_PER_TASK).map(stroke).collect();
@@ -207,6 +209,7 @@ pub fn push_intersections(scene: &LineScene, found: &FaceIntersections, strokes:
             kind: LineKind::Intersection,
             object: scene.object_of(faces[0]),
             own: 0..0,
+            surface: OnceLock::new(),
         };
         strokes.push(stroke, *faces);
     }

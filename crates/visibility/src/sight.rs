@@ -86,9 +86,10 @@ impl Sight<'_> {
         }
     }
 
-    /// The apex of the wing that a stroke belongs to; `None` for a stroke that is no mesh edge.
+    /// The apex of the wing that a stroke belongs to; `None` for a stroke that is no mesh edge. O(1) but for the first time.
     pub fn surface(&self, stroke: &Stroke) -> Option<Vec3> {
-        if let SegmentSource::Edge(edge) = stroke.source { self.view.surface_at(edge) } else { None }
+        let SegmentSource::Edge(edge) = stroke.source else { return None };
+        *stroke.surface.get_or_init(|| self.view.surface_at(edge))
     }
 
     /// Layers that cut the sight line to the point at `t` of `stroke`, faces for which `is_own` holds left out.

@@ -7,6 +7,7 @@ use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::orientation::turn;
 use silhouette_core::{FaceId, Viewpoint};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// No mesh vertex: an end of a stroke that is not a mesh edge.
 pub const NO_VERTEX: u32 = u32::MAX;
@@ -26,6 +27,8 @@ pub struct Stroke {
     pub object: u32,
     /// Faces that it lies on and that therefore do not hide it, in [`Strokes::faces`].
     pub own: Range<u32>,
+    /// The apex of the wing that it belongs to, once somebody has asked. See [`Sight::surface`](crate::sight::Sight::surface).
+    pub surface: OnceLock<Option<Vec3>>,
 }
 
 impl Stroke {
@@ -47,13 +50,25 @@ impl Stroke {
     }
 }
 
+/// Faces that a stroke lies on.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnFaces<'a>(&'a [FaceId]);
+
+impl OwnFaces<'_> {
+    /// Whether a face is one of them. O(log faces): very many may meet in an edge.
+    #[inline]
+    pub fn contains(self, face: FaceId) -> bool {
+        self.0.binary_search(&face).is_ok()
+    }
+}
+
 /// The strokes of a view: mesh edges first, ascending, then intersections, then curves.
 #[derive(Debug, Clone, Default)]
 pub struct Strokes {
     /// The strokes.
     pub strokes: Vec<Stroke>,
-    /// Faces that strokes lie on.
-    pub faces: Vec<FaceId>,
+    /// Faces that strokes lie on, ascending for each.
+    faces: Vec<FaceId>,
     /// Parts of curves that the last strokes stand for, one each.
     pub curve_parts: Vec<CurvePart>,
 }
@@ -61,8 +76,8 @@ pub struct Strokes {
 impl Strokes {
     /// The faces that a stroke lies on.
     #[inline]
-    pub fn own_faces(&self, stroke: &Stroke) -> &[FaceId] {
-        &self.faces[stroke.own.start as usize..stroke.own.end as usize]
+    pub fn own_faces(&self, stroke: &Stroke) -> OwnFaces<'_> {
+        OwnFaces(&self.faces[stroke.own.start as usize..stroke.own.end as usize])
     }
 
     /// The part of a curve that a stroke stands for, by its index.
@@ -78,9 +93,10 @@ impl Strokes {
 
     /// Appends a stroke on these faces.
     pub fn push(&mut self, mut stroke: Stroke, faces: impl IntoIterator<Item = FaceId>) {
-        let begin = self.faces.len() as u32;
+        let begin = self.faces.len();
         self.faces.extend(faces);
-        stroke.own = begin..self.faces.len() as u32;
+        self.faces[begin..].sort_unstable();
+        stroke.own = begin as u32..self.faces.len() as u32;
         self.strokes.push(stroke);
     }
 }

@@ -20,8 +20,11 @@ pub struct Wing {
 /// Faces without area that are followed one after another, at most.
 const MOST_FLAT_FACES: u32 = 8;
 
+/// Faces that are looked at across faces without area, at most: where those lie in heaps, the ways across them multiply.
+const MOST_ACROSS: u32 = 1 << 16;
+
 /// Visits the wings of an edge, in the order of its half-edges. A face without area is none: the surface goes on across the
-/// longest of its edges, which the other two cover. O(faces at the edge).
+/// longest of its edges, which the other two cover. O(faces at the edge), and across those without area.
 pub fn for_each_wing(
     mesh: &TriangleMesh,
     topology: &Topology,
@@ -29,28 +32,39 @@ pub fn for_each_wing(
     edge: EdgeId,
     visit: &mut dyn FnMut(Wing),
 ) {
+    let mut across = Across { mesh, topology, is_flat, left: MOST_ACROSS };
     for &half_edge in topology.half_edges(edge) {
-        follow(mesh, topology, is_flat, half_edge, MOST_FLAT_FACES, visit);
+        across.follow(half_edge, MOST_FLAT_FACES, visit);
     }
 }
 
-fn follow(
-    mesh: &TriangleMesh,
-    topology: &Topology,
-    is_flat: &dyn Fn(FaceId) -> bool,
-    half_edge: HalfEdgeId,
-    most: u32,
-    visit: &mut dyn FnMut(Wing),
-) {
-    let face = half_edge.face();
-    if !is_flat(face) {
-        let apex = mesh.corners(face)[(half_edge.slot() as usize + 2) % 3];
-        visit(Wing { face, half_edge, apex });
-    } else if most > 0 {
-        let across = topology.edge_of(longest_side(mesh, face));
-        if across != topology.edge_of(half_edge) {
-            let others = topology.half_edges(across).iter().filter(|other| other.face() != face);
-            others.for_each(|&other| follow(mesh, topology, is_flat, other, most - 1, visit));
+/// The way across faces without area.
+struct Across<'a> {
+    mesh: &'a TriangleMesh,
+    topology: &'a Topology,
+    is_flat: &'a dyn Fn(FaceId) -> bool,
+    /// Faces that may still be looked at.
+    left: u32,
+}
+
+impl Across<'_> {
+    fn follow(&mut self, half_edge: HalfEdgeId, most: u32, visit: &mut dyn FnMut(Wing)) {
+        let face = half_edge.face();
+        if !(self.is_flat)(face) {
+            let apex = self.mesh.corners(face)[(half_edge.slot() as usize + 2) % 3];
+            visit(Wing { face, half_edge, apex });
+            return;
+        }
+        let across = self.topology.edge_of(longest_side(self.mesh, face));
+        if most == 0 || across == self.topology.edge_of(half_edge) {
+            return;
+        }
+        for &other in self.topology.half_edges(across).iter().filter(|other| other.face() != face) {
+            if self.left == 0 {
+                return;
+            }
+            self.left -= 1;
+            self.follow(other, most - 1, visit);
         }
     }
 }

@@ -105,3 +105,22 @@ fn tangles_are_drawn_or_refused_within_a_gibibyte() {
     }
     assert!(refused > 0, "no limit was reached");
 }
+
+/// Heaps of faces listed many times over: some that have an area, and some without one, which lead across each other.
+#[test]
+fn faces_listed_thousands_of_times_are_drawn() {
+    let corners: Vec<Vec3> = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0], [8.0, 0.0], [0.0, 3.0]]
+        .map(|[x, y]| Vec3::new(x, y, 0.0))
+        .to_vec();
+    let heap = |faces: &[[u32; 3]]| {
+        let faces = faces.iter().flat_map(|&face| [face; 3000]).collect();
+        TriangleMesh::new(corners.clone(), faces).unwrap()
+    };
+    for (mesh, drawn) in [(heap(&[[0, 1, 5]]), 3), (heap(&[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]), 3)] {
+        let camera = framing(&mesh, DVec3::Z, true);
+        let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
+        let lines = finder.find(&camera, &LineOptions::default(), &NoProgress).unwrap();
+        let edges: usize = lines.chains.iter().map(|chain| chain.sources.len()).sum();
+        assert!(edges >= drawn, "{edges} edges");
+    }
+}
