@@ -25,7 +25,7 @@ pub struct LineOptions {
     pub curves: bool,
     /// Largest invisibility that is wanted: 0 for visible lines only, [`u32::MAX`] for all. Default: 0.
     pub max_invisibility: u32,
-    /// Whether the outermost outline is wanted as closed polygons. Default: no.
+    /// Whether the [outline](crate::Outline) is wanted as well. Default: no.
     pub outline: bool,
 }
 

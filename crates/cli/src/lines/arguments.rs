@@ -75,7 +75,7 @@ struct WhichLines {
     /// Lines in which faces pass through each other
     #[arg(long)]
     intersections: bool,
-    /// The outermost outline as closed polygons: with the other lines, or only [--outline alone: with]
+    /// The outline, as closed polygons around all that the meshes cover: with the other lines, or only [--outline alone: with]
     #[arg(long, value_enum, value_name = "HOW", num_args = 0..=1, require_equals = true, default_missing_value = "with")]
     outline: Option<OutlineArgument>,
 }

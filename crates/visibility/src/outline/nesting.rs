@@ -2,7 +2,8 @@
 //!
 //! A line sweeps over all rings from the left. Where it comes to a hole, what lies next below the hole bounds the same region
 //! as the hole does: it is a ring around the region, or another of its holes (Shamos and Hoey, "Geometric intersection
-//! problems", FOCS 1976, for the sweep). `i_overlay` tells this too, but not always rightly where rings touch.
+//! problems", FOCS 1976, for the sweep). `i_overlay` assigns holes to regions as well, but sometimes wrongly where
+//! rings touch.
 
 use super::lattice::Point;
 use std::cmp::Ordering;
@@ -174,7 +175,7 @@ mod tests {
 
     /// A triangle in a hole, with two of whose corners it touches the hole's border, and another hole above.
     #[test]
-    fn rings_that_touch_are_told_apart() {
+    fn rings_that_touch_are_kept_apart() {
         let outer = rectangle([0, 0], [100, 100]);
         let around: Vec<Point> = vec![[30, 20], [20, 40], [40, 60], [70, 50], [60, 30]];
         let island: Vec<Point> = vec![[30, 20], [40, 60], [25, 40]];

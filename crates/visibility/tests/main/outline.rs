@@ -106,7 +106,7 @@ fn check_map(outline: &Outline) {
         for (index, hole) in holes.iter().enumerate() {
             assert!(twice_area(hole) < 0.0, "a hole runs clockwise");
             assert!(inside(hole, outer), "a hole lies in its region");
-            // A hole may be a sliver along another, so near that no corner of it tells.
+            // A hole may be a sliver so close to another that none of its corners decides.
             let reaches_into =
                 |of: &[DVec2]| hole.iter().any(|&corner| is_inside(&[of.to_vec()], corner) == Some(true));
             let mut others = holes.iter().enumerate().filter(|(other, _)| *other != index);
