@@ -198,7 +198,7 @@ fn outputs_that_cannot_be_written() {
     assert_eq!(folder.names(), ["mesh.obj", "scene.gltf", "taken", "x.json"]);
 }
 
-/// Needles that all cross each other: more lines than anyone could tell apart.
+/// 6000 long, thin triangles, nearly all of which cross each other, exceed the work limit of a view.
 #[test]
 fn tangles_are_refused() {
     let folder = Folder::new();

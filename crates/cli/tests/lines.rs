@@ -179,7 +179,7 @@ fn borders_of_materials_are_drawn_where_seams_are_welded() {
     assert!(told.contains("builtin:cube: all faces are of one material and group"), "{told}");
 }
 
-/// A square beside two of half its side, one vertex of which lies on its edge: without gaps, but with a T-junction.
+/// A square beside two rectangles of half its height: a vertex that both rectangles share divides its edge in the middle.
 #[test]
 fn t_junctions_are_boundaries_until_they_are_healed() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,8 +1,8 @@
-//! Hierarchies of boxes, also of boxes that are there many times.
+//! Bounding volume hierarchies of boxes, many of which may be equal.
 //!
-//! `obvhs` pairs each box with one near it, round by round. Among boxes that are all the same, as those of a face that is listed
-//! many times, each round finds a single pair: a square of the work, and a hierarchy as deep as there are boxes. So of such
-//! boxes one stands for all.
+//! `obvhs` merges each box with its nearest neighbour, round by round. Where n boxes are equal, as those of a face that is
+//! listed n times, each round merges a single pair: O(n²) work, and a hierarchy of depth n. The hierarchy is therefore built
+//! over distinct boxes, and equal boxes share a leaf.
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, builder::build_bvh2};
@@ -20,10 +20,10 @@ impl Boundable for Boxed {
     }
 }
 
-/// Boxes that are compared with each other to see whether it is worth looking for equal ones among all.
+/// Size of the sample that is searched for equal boxes first. Only if it has some are all boxes searched.
 const SAMPLE: usize = 1024;
 
-/// A hierarchy over boxes, of which the places in `primitive_indices` are leaf by leaf. O(boxes log boxes), expected.
+/// A hierarchy over boxes; `primitive_indices` are ordered by leaf. Expected O(boxes log boxes).
 pub fn build(boxes: &[Boxed]) -> Bvh2 {
     if boxes.is_empty() {
         return Bvh2::default();
@@ -38,7 +38,7 @@ fn build_of(boxes: &[Boxed]) -> Bvh2 {
     build_bvh2(boxes, BvhBuildParams::fast_build(), &mut time)
 }
 
-/// Boxes by their indices, equal ones together, in the order of the first of each.
+/// Indices of boxes, grouped by equal boxes, in order of first occurrence.
 fn alike(boxes: &[Boxed], indices: &[u32]) -> Vec<Vec<u32>> {
     let mut group_of: HashMap<[u32; 6], usize> = HashMap::with_capacity(indices.len());
     let mut groups: Vec<Vec<u32>> = Vec::new();

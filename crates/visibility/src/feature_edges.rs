@@ -100,7 +100,7 @@ impl Judge<'_> {
         if let [one, other] = wings
             && angle(across(one), -across(other)).to_degrees() < least_threshold
         {
-            // Nearly all edges of most meshes.
+            // Most edges end here.
             return None;
         }
         let mut distinct: Vec<(DVec3, Vec<&Wing>)> = Vec::with_capacity(wings.len());

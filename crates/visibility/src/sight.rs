@@ -86,7 +86,7 @@ impl Sight<'_> {
         }
     }
 
-    /// The apex of the wing that a stroke belongs to; `None` for a stroke that is no mesh edge. O(1) but for the first time.
+    /// The apex of the wing that a stroke belongs to; `None` for a stroke that is no mesh edge. O(1) after the first call.
     pub fn surface(&self, stroke: &Stroke) -> Option<Vec3> {
         let SegmentSource::Edge(edge) = stroke.source else { return None };
         *stroke.surface.get_or_init(|| self.view.surface_at(edge))

@@ -27,7 +27,7 @@ pub struct Stroke {
     pub object: u32,
     /// Faces that it lies on and that therefore do not hide it, in [`Strokes::faces`].
     pub own: Range<u32>,
-    /// The apex of the wing that it belongs to, once somebody has asked. See [`Sight::surface`](crate::sight::Sight::surface).
+    /// The apex of the wing that it belongs to, computed on first use. See [`Sight::surface`](crate::sight::Sight::surface).
     pub surface: OnceLock<Option<Vec3>>,
 }
 
@@ -55,7 +55,7 @@ impl Stroke {
 pub struct OwnFaces<'a>(&'a [FaceId]);
 
 impl OwnFaces<'_> {
-    /// Whether a face is one of them. O(log faces): very many may meet in an edge.
+    /// Whether a face is one of them. O(log faces), since an edge may have thousands.
     #[inline]
     pub fn contains(self, face: FaceId) -> bool {
         self.0.binary_search(&face).is_ok()

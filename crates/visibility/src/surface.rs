@@ -20,7 +20,8 @@ pub struct Wing {
 /// Faces without area that are followed one after another, at most.
 const MOST_FLAT_FACES: u32 = 8;
 
-/// Faces that are looked at across faces without area, at most: where those lie in heaps, the ways across them multiply.
+/// Most faces visited across faces without area per edge. Where such faces are listed many times, the paths across them
+/// multiply.
 const MOST_ACROSS: u32 = 1 << 16;
 
 /// Visits the wings of an edge, in the order of its half-edges. A face without area is none: the surface goes on across the
@@ -38,12 +39,12 @@ pub fn for_each_wing(
     }
 }
 
-/// The way across faces without area.
+/// Finds wings across faces without area.
 struct Across<'a> {
     mesh: &'a TriangleMesh,
     topology: &'a Topology,
     is_flat: &'a dyn Fn(FaceId) -> bool,
-    /// Faces that may still be looked at.
+    /// Faces that may still be visited.
     left: u32,
 }
 

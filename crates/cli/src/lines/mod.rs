@@ -190,7 +190,7 @@ fn of_plotting(error: PlotError) -> Failure {
     }
 }
 
-/// Why there are no lines of the meshes so named.
+/// The failure to find the lines of the meshes with these names.
 fn of_finding(names: &str, error: LineError) -> Failure {
     match error {
         LineError::Cancelled(error) => error.into(),

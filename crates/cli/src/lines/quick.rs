@@ -12,7 +12,8 @@ use std::time::{Duration, Instant};
 /// Pixels of ids along each side of a pixel of the view.
 const SCALE: u32 = 2;
 
-/// The lines of the meshes so named, and the time that preparing took: adapter, pipeline and mesh. The time of drawing counts as projection.
+/// The lines, and the time that preparing took: adapter, pipeline and mesh. The time of drawing counts as projection.
+/// `names` are the meshes' names, for errors.
 pub fn find(
     scene: &LineScene,
     names: &str,

@@ -1,7 +1,7 @@
 //! Where the parts of edges in one cell have something on their left and nothing on their right.
 //!
-//! Two edges that coincide in space may have been rounded to the wrong sides of each other. Between them there are fewer layers
-//! than 0 then, which count as nothing.
+//! Two edges that coincide in space may have been rounded to the wrong sides of each other. The layer count between them is
+//! then negative, and counts as 0.
 
 use super::chain_map::{ChainMap, Part};
 use super::lattice::{DirectedEdge, Point};

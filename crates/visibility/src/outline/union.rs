@@ -16,8 +16,8 @@ const LEAST_AREA_PX: f64 = 1e-6;
 /// coincide but for rounding cross in many places; without this, each of those makes more of them.
 const SNAPPING: Precision = Precision { start: 2 * 16, progression: 2 * 4 };
 
-/// The rings around what has a winding number above 0, and around the holes in it. Below 0 is only what rounding has turned
-/// over.
+/// The rings around what has a winding number above 0, and around the holes in it. Winding
+/// numbers below 0 come from rounding only.
 pub fn union(polygons: &[Vec<Point>]) -> Vec<Vec<Point>> {
     let options = IntOverlayOptions { min_output_area: area(LEAST_AREA_PX) as u128, ..IntOverlayOptions::ogc() };
     let count = polygons.iter().map(Vec::len).sum();

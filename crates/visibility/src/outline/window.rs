@@ -15,11 +15,11 @@ use silhouette_core::{FaceId, Facing};
 /// How far beyond the picture the outline is followed, in pictures.
 const SURROUNDINGS: f64 = 8.0;
 
-/// Places of the border that layers are counted at until it is certain how many there are.
+/// Most places on the border at which layers are counted until one count is certain.
 const TRIALS: usize = 8;
 
-/// How far apart those places are, in stretches of the border without a crossing: the golden ratio, of which no few multiples
-/// come close to each other, nor to the middle, where symmetric scenes have edges.
+/// Distance of those places, as a share of the stretch they lie in: the golden ratio, whose multiples modulo 1 are spread
+/// evenly and avoid the middle, where symmetric scenes have edges.
 const TRIAL_STEP: f64 = 0.618_033_988_749_895;
 
 /// Faces that a task takes: some 0.05 ms of work.
@@ -223,7 +223,7 @@ impl Window {
     }
 }
 
-/// How many faces the displaced viewer sees at a pixel, one behind the other, and whether that is certain. O(F), parallel.
+/// The number of faces that cover a pixel as the displaced viewer sees it, and whether it is certain. O(F), parallel.
 fn layers_at(view: &ViewedMesh<'_>, frame: &PictureFrame, pixel: DVec2) -> (i32, bool) {
     let ray = pixel.extend(1.0);
     let at_face = |face: FaceId| {

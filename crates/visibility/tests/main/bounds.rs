@@ -1,4 +1,4 @@
-//! What a view may cost at most: memory and work.
+//! Upper bounds of a view's memory and work.
 
 use crate::determinism::options;
 use crate::scenes::{builtin, framing, with_threads};
@@ -60,8 +60,8 @@ fn all_of_a_million_edges_seen_edge_on_are_refused() {
     assert_eq!(finder.find(&camera, &options, &NoProgress).unwrap_err(), LineError::TooCrowded);
 }
 
-/// Meshes of which every face lies over every other, with the options that make the most of them: a drawing, or one line that
-/// says why there is none, and never more memory than a small machine has.
+/// Meshes in which nearly all faces overlap, with the most expensive options: each is drawn or refused, and allocates less
+/// than 1 GiB.
 #[test]
 fn tangles_are_drawn_or_refused_within_a_gibibyte() {
     let mut random = Random::new(7);
@@ -90,7 +90,7 @@ fn tangles_are_drawn_or_refused_within_a_gibibyte() {
         let camera = framing(&mesh, DVec3::new(0.3, 0.2, 1.0), true);
         for options in &all {
             let mut result = None;
-            // Of one thread what it allocates is counted.
+            // The counter sees one thread only.
             let allocated = with_threads(1, || {
                 allocation_counter::measure(|| {
                     let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
@@ -106,7 +106,7 @@ fn tangles_are_drawn_or_refused_within_a_gibibyte() {
     assert!(refused > 0, "no limit was reached");
 }
 
-/// Heaps of faces listed many times over: some that have an area, and some without one, which lead across each other.
+/// The same face listed 3000 times, and chains of faces without area, each listed 3000 times.
 #[test]
 fn faces_listed_thousands_of_times_are_drawn() {
     let corners: Vec<Vec3> = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0], [8.0, 0.0], [0.0, 3.0]]

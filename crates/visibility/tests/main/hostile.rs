@@ -334,7 +334,7 @@ fn crowds_of_faces() {
     }
 }
 
-/// Kinds that are not wanted take no edge away from those of the mesh.
+/// With every mesh edge wanted, excluding other kinds of lines removes no edge.
 #[test]
 fn every_edge_is_drawn_whatever_else_is_wanted() {
     let (mut scenes, mut fewer) = (0, 0);

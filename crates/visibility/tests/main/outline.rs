@@ -190,7 +190,7 @@ fn a_contour_through_the_eye_leaves_the_outline_finite() {
     assert!(rings.iter().flatten().all(|corner| corner.is_finite()), "{rings:?}");
 }
 
-/// From within a solid, wound either way, all of the picture is covered; from within one that lacks a face, all but that face.
+/// Seen from inside, a solid covers the whole picture, wound either way; one that lacks a side covers all but that side.
 #[test]
 fn an_eye_inside_of_a_solid_sees_it_everywhere() {
     let cube = builtin("cube");

@@ -117,8 +117,8 @@ const MODELS: [&str; 10] = [
     "teapot.obj",
 ];
 
-/// A picture five times as wide as the mesh's own, that one, and parts of it, of which the smallest leaves most of the mesh
-/// beyond all that the outline is followed in.
+/// Picture widths relative to one that frames the mesh. In the smallest, most of the mesh lies beyond the window in which the
+/// outline is followed.
 const ZOOMS: [f64; 4] = [5.0, 1.0, 0.2, 0.02];
 
 #[test]

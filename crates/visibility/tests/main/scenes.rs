@@ -56,7 +56,7 @@ pub fn joined(meshes: &[&TriangleMesh]) -> TriangleMesh {
     LineScene::of_meshes(meshes).unwrap().mesh().mesh().as_ref().clone()
 }
 
-/// Does work on so many threads.
+/// Runs `work` in a pool of `count` threads.
 pub fn with_threads<T: Send>(count: usize, work: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap().install(work)
 }

@@ -45,8 +45,8 @@ fn the_line_in_which_two_cubes_meet_is_closed_and_half_hidden() {
     );
 }
 
-/// Cubes that share a part of a side, an edge or a corner touch and do not pass through each other; pushed into each other by
-/// the last bit, they do.
+/// Cubes that share part of a side, an edge or a corner only touch. Moved into each other by one unit in the last place, they
+/// intersect.
 #[test]
 fn surfaces_that_touch_do_not_intersect() {
     let cube = builtin("cube");

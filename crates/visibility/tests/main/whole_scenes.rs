@@ -56,7 +56,7 @@ pub enum Family {
 pub const FAMILIES: [Family; 6] =
     [Family::Closed, Family::Damaged, Family::Sheets, Family::Shared, Family::Apart, Family::Twice];
 
-/// Scenes of a family in each run; `SILHOUETTES_ORACLE` sets another number.
+/// Number of scenes per family; `SILHOUETTES_ORACLE` overrides the usual one.
 pub fn seeds(usual: u64) -> u64 {
     std::env::var("SILHOUETTES_ORACLE").ok().and_then(|seeds| seeds.parse().ok()).unwrap_or(usual)
 }
