@@ -9,7 +9,10 @@
 //! to a [`LocalFrame`], so that a mesh far from the origin is drawn as sharply as one at the origin.
 
 mod camera;
+mod depth_law;
 mod formats;
+mod frame_view;
+mod frame_view_error;
 mod local_frame;
 mod mesh_binding;
 mod mesh_buffers;
@@ -17,7 +20,10 @@ mod pen;
 mod renderer_error;
 
 pub use camera::{CameraBinding, CameraUniform};
+pub use depth_law::DepthLaw;
 pub use formats::TargetFormats;
+pub use frame_view::{FrameView, Viewport};
+pub use frame_view_error::FrameViewError;
 pub use local_frame::LocalFrame;
 pub use mesh_binding::MeshBinding;
 pub use mesh_buffers::{MeshBuffers, MeshTooLarge, POSITION_LAYOUT};

@@ -28,7 +28,7 @@ pub const MAX_VIEWPORT: u32 = 16_384;
 pub struct ClipRange {
     /// Depth of the near plane, above 0 for a perspective.
     pub near: f64,
-    /// Depth of the far plane, beyond `near`.
+    /// Depth of the far plane, beyond `near`; a perspective's may be infinite.
     pub far: f64,
 }
 
@@ -178,7 +178,7 @@ impl Camera {
         DMat4::from_mat3(rotation) * DMat4::from_translation(-self.eye.as_dvec3())
     }
 
-    /// View to clip space.
+    /// View to clip space. The far plane of a perspective may be infinite; that of an orthographic view must be finite.
     pub fn clip_matrix(&self, range: ClipRange, direction: DepthDirection) -> DMat4 {
         let (at_zero, at_one) = match direction {
             DepthDirection::Standard => (range.near, range.far),
@@ -188,12 +188,20 @@ impl Camera {
         let columns = match self.projection {
             Projection::Perspective { fov_y_rad } => {
                 let focal = 1.0 / (fov_y_rad * 0.5).tan();
-                let scale = at_one / (at_zero - at_one);
+                // A plane at infinity is the limit of one that moves away.
+                let (scale, shift) = if at_zero.is_infinite() {
+                    (0.0, at_one)
+                } else if at_one.is_infinite() {
+                    (-1.0, -at_zero)
+                } else {
+                    let scale = at_one / (at_zero - at_one);
+                    (scale, scale * at_zero)
+                };
                 [
                     [focal / self.aspect(), 0.0, 0.0, 0.0],
                     [0.0, focal, 0.0, 0.0],
                     [0.0, 0.0, scale, -1.0],
-                    [0.0, 0.0, scale * at_zero, 0.0],
+                    [0.0, 0.0, shift, 0.0],
                 ]
             }
             Projection::Orthographic { height } => {
@@ -301,6 +309,20 @@ mod tests {
                 assert!(pixel.distance(seen.pixel) < 1e-9, "{pixel} {}", seen.pixel);
                 let depth = camera.depth_of_buffer_value(ndc.z, RANGE, direction);
                 assert!((depth - seen.depth).abs() < 1e-9, "{depth} {}", seen.depth);
+            }
+        }
+    }
+
+    #[test]
+    fn an_infinite_far_plane_is_the_limit_of_a_far_one() {
+        let [camera, _] = cameras();
+        for direction in [DepthDirection::Standard, DepthDirection::Reversed] {
+            let [infinite, far] = [f64::INFINITY, 1e12].map(|far| {
+                let clip = camera.clip_matrix(ClipRange { near: 0.5, far }, direction);
+                [0.5, 3.0, 1e3].map(|depth| clip.project_point3(DVec3::new(0.1, 0.2, -depth)))
+            });
+            for (infinite, far) in infinite.into_iter().zip(far) {
+                assert!((infinite - far).length() < 1e-11, "{direction:?}: {infinite} {far}");
             }
         }
     }
