@@ -47,11 +47,13 @@ pub enum Command {
         JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\
         \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.")]
     Lines(Box<LinesArguments>),
-    /// Draw the lines of one method to a PNG
+    /// Draw the lines of one method, or the surface that it fills, to a PNG
     #[command(after_help = "Examples:\n  \
         silhouettes render bunny.obj --method brute-force -o bunny.png\n  \
         silhouettes render bunny.obj --method image-precision --set variant=scale --set scale=0.97 -o bunny.png\n  \
-        silhouettes render builtin:knot --view iso --size 512x512 --width 2 -o knot.png")]
+        silhouettes render builtin:knot --view iso --size 512x512 --width 2 -o knot.png\n  \
+        silhouettes render bunny.obj --method image-precision --transparent -o lines.png\n  \
+        silhouettes render bunny.obj --method fine-mesh -o surface.png")]
     Render(RenderArguments),
     /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline
     #[command(after_help = "Examples:\n  \
@@ -117,9 +119,12 @@ pub struct RenderArguments {
     /// Width of the pen in pixels
     #[arg(long, value_name = "PX", default_value_t = 1.5)]
     pub width: f64,
-    /// Samples a pixel: 1, or 4 for smooth lines
+    /// Samples per pixel: 1, or 4 for smooth lines
     #[arg(long, value_name = "N", default_value = "4", value_parser = samples)]
     pub samples: u32,
+    /// Leave the ground and the inside of outlines transparent, in place of white paper
+    #[arg(long)]
+    pub transparent: bool,
     /// Output file (.png)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

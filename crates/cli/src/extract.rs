@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
-use silhouette_compare::registry::{self, Prepared, Yields};
+use silhouette_compare::registry::{Prepared, Registry};
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::loops::{LoopWalker, start_vertex};
 use silhouette_core::method::{ExtractionStats, OptionValues};
@@ -40,14 +40,15 @@ enum Format {
 }
 
 /// Runs the command.
-pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
+pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Failure> {
     let format = format_of(arguments.output.as_deref())?;
-    let entry = registry::find(&arguments.method.method).map_err(Failure::input)?;
-    if entry.yields == Yields::Lines {
-        let (name, known) = (entry.info.name, extractors());
-        return Err(Failure::Input(format!("--method {name} draws lines but extracts no edges; choose {known}")));
+    let entry = registry.find(&arguments.method.method).map_err(Failure::input)?;
+    let info = entry.info();
+    if !entry.capabilities().edges {
+        let (name, known) = (info.name, registry.names(|entry| entry.capabilities().edges));
+        return Err(Failure::Input(format!("--method {name} extracts no edges; choose {known}")));
     }
-    let options = OptionValues::parse(entry.info.options, arguments.method.set.iter().map(String::as_str))?;
+    let options = OptionValues::parse(info.options, arguments.method.set.iter().map(String::as_str))?;
     let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
     let NamedMesh { name, mesh } = input::mesh(&arguments.mesh, &progress)?;
@@ -55,16 +56,12 @@ pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
     let viewpoint = arguments.camera.viewpoint(&bounds)?;
 
     let prepared = entry.prepare(&mesh, &options, &progress);
-    let failed = |error| Failure::of_preparation(&name, entry.info.name, error);
-    let Prepared::Edges(mut method) = prepared.map_err(failed)? else {
-        unreachable!("methods that draw lines were refused above")
-    };
-    let mut edges = SilhouetteEdges::default();
-    let stats = method.extract_edges(&viewpoint, &mut edges);
+    let mut prepared = prepared.map_err(|error| Failure::of_preparation(&name, info.name, error))?;
     let topology = mesh.artefact::<Topology>("extract", &progress)?;
-    let loops = loops_through(&edges, mesh.mesh(), &topology, &viewpoint);
+    let (edges, stats) = edges_of(&mut prepared, &viewpoint);
+    let loops = loops_of(&mut prepared, &edges, mesh.mesh(), &topology, &viewpoint);
     let found = Extraction {
-        method: entry.info.name,
+        method: info.name,
         viewpoint,
         edges: edges.iter().map(|edge| topology.end_points(edge)).collect(),
         boundary: edges.boundary(&topology).map(|edge| topology.end_points(edge)).collect(),
@@ -83,16 +80,27 @@ pub fn run(arguments: &ExtractArguments) -> Result<(), Failure> {
     output.write(&bytes)
 }
 
-/// The loops that hold these edges.
-fn loops_through(
+/// The edges that a method finds, and what that took.
+fn edges_of(prepared: &mut Prepared, viewpoint: &Viewpoint) -> (SilhouetteEdges, ExtractionStats) {
+    let mut edges = SilhouetteEdges::default();
+    let stats = prepared.edges().map(|method| method.extract_edges(viewpoint, &mut edges));
+    (edges, stats.unwrap_or_default())
+}
+
+/// The loops that a method finds; of one that finds edges only, the loops that hold these.
+fn loops_of(
+    prepared: &mut Prepared,
     edges: &SilhouetteEdges,
     mesh: &TriangleMesh,
     topology: &Topology,
     viewpoint: &Viewpoint,
 ) -> SilhouetteLoops {
-    let facings = FaceFacings::new(mesh, viewpoint);
     let mut loops = SilhouetteLoops::default();
-    LoopWalker::default().walk(topology, &facings, edges, &mut loops);
+    if let Some(method) = prepared.loops() {
+        method.extract_loops(viewpoint, &mut loops);
+    } else {
+        LoopWalker::default().walk(topology, &FaceFacings::new(mesh, viewpoint), edges, &mut loops);
+    }
     loops
 }
 
@@ -107,9 +115,4 @@ fn format_of(path: Option<&Path>) -> Result<Format, Failure> {
             path.display()
         ))),
     }
-}
-
-fn extractors() -> String {
-    let names = registry::all().iter().filter(|entry| entry.yields != Yields::Lines);
-    names.map(|entry| entry.info.name).collect::<Vec<_>>().join(", ")
 }

@@ -5,16 +5,16 @@ use crate::failure::{self, Failure};
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
-use silhouette_compare::drawing::{DrawError, FrameStyle, render_method};
-use silhouette_compare::registry;
-use silhouette_core::method::OptionValues;
+use silhouette_compare::drawing::{DrawError, FrameStyle, Ground, render_method};
+use silhouette_compare::registry::{Entry, Registry};
+use silhouette_core::method::{OptionKind, OptionValues};
 use silhouette_render::{AdapterChoice, Gpu};
 
 /// Pens thinner than this leave no ink, wider ones no paper.
 const PEN_WIDTHS_PX: std::ops::RangeInclusive<f64> = 0.1..=100.0;
 
 /// Runs the command.
-pub fn run(arguments: &RenderArguments) -> Result<(), Failure> {
+pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failure> {
     let path = &arguments.output;
     if path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("png")) {
         return Err(Failure::Input(format!("{}: unknown kind of output; end its name in .png", path.display())));
@@ -23,22 +23,34 @@ pub fn run(arguments: &RenderArguments) -> Result<(), Failure> {
         let (min, max) = (PEN_WIDTHS_PX.start(), PEN_WIDTHS_PX.end());
         return Err(Failure::Input(format!("--width {}: give {min} to {max} pixels", arguments.width)));
     }
-    let entry = registry::find(&arguments.method.method).map_err(Failure::input)?;
-    let options = OptionValues::parse(entry.info.options, arguments.method.set.iter().map(String::as_str))?;
+    let entry = registry.find(&arguments.method.method).map_err(Failure::input)?;
+    let ground = if arguments.transparent { Ground::Transparent } else { Ground::Paper };
+    let words = on_ground(entry, ground).into_iter().chain(arguments.method.set.iter().map(String::as_str));
+    let options = OptionValues::parse(entry.info().options, words)?;
     let output = Output::create(Some(path), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
-    let style = FrameStyle { size: camera.size(), pen_width_px: arguments.width, samples: arguments.samples };
+    let (size, pen_width_px) = (camera.size(), arguments.width);
+    let style = FrameStyle { size, pen_width_px, samples: arguments.samples, ground };
     let failed = |error| match error {
-        DrawError::Prepare(error) => Failure::of_preparation(&named.name, entry.info.name, error),
+        DrawError::Prepare(error) => Failure::of_preparation(&named.name, entry.info().name, error),
         other => Failure::run(other),
     };
     let rendered = render_method(&gpu, entry, &options, &named.mesh, &camera, style, &progress).map_err(failed)?;
     if let Some(warning) = &rendered.warning {
         failure::note(warning);
     }
-    output.write(&rendered.image.to_png().map_err(Failure::run)?)
+    output.write(&rendered.image.unpremultiplied().to_png().map_err(Failure::run)?)
+}
+
+/// The option that a method needs on this ground, unless its user sets it: on a transparent one the inside of an outline is
+/// transparent as well.
+fn on_ground(entry: &Entry, ground: Ground) -> Option<&'static str> {
+    let has_depth_only = |kind: &OptionKind| matches!(kind, OptionKind::Choice(words) if words.contains(&"depth-only"));
+    let interior = entry.info().options.iter().find(|option| option.name == "interior");
+    (ground == Ground::Transparent && interior.is_some_and(|option| has_depth_only(&option.kind)))
+        .then_some("interior=depth-only")
 }

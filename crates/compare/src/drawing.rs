@@ -1,20 +1,29 @@
-//! Frames of a prepared method, whatever it yields: edges are drawn by the line pass, lines draw themselves.
+//! Frames of a prepared method, whatever it yields: edges are drawn as strokes, other methods draw themselves.
 
 use crate::cost::{ExtractionSample, FrameSample};
-use crate::registry::{EdgeMethod, Entry, LineMethod, Prepared};
-use silhouette_core::method::{OptionValues, PrepareError};
+use crate::registry::{Entry, Prepared};
+use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::view::Camera;
-use silhouette_core::{NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh, VertexId};
-use silhouette_gpu::{LineRenderer, MeshBuffers, MeshTooLarge, Pen, PenPlacement, RendererError, TargetFormats};
-use silhouette_render::{
-    DEFAULT_FORMATS, FillPass, FillStyle, Gpu, GpuError, Image, LinePass, LineStyle, Load, PassTime, PassView,
-    Polylines, Target,
+use silhouette_core::{
+    Cancelled, ExtractsEdges, NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology, Viewpoint,
 };
+use silhouette_gpu::{
+    EdgeRenderer, FrameRenderer, FrameView, FrameViewError, MeshBuffers, MeshTooLarge, Pen, PenPlacement, RendererError,
+    StrokePipelines, StrokeRenderer, StrokeStyle, TargetFormats,
+};
+use silhouette_render::{DEFAULT_FORMATS, Gpu, GpuError, Image, Load, Target};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Colour of the paper.
-pub const PAPER: [f64; 4] = [1.0; 4];
+/// What a picture shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PictureKind {
+    /// Lines.
+    Lines,
+    /// The mesh's surface.
+    Fill,
+}
 
 /// Why a frame cannot be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -23,15 +32,27 @@ pub enum DrawError {
     /// The method could not be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
+    /// The method yields nothing that could be drawn as this kind of picture.
+    #[error("the method yields no {0:?}")]
+    Kind(PictureKind),
     /// The device's buffers cannot hold the mesh.
     #[error(transparent)]
     MeshTooLarge(#[from] MeshTooLarge),
     /// The method's renderer cannot be made on this device.
     #[error(transparent)]
     Renderer(#[from] RendererError),
+    /// The camera sees no depths in which the mesh could lie.
+    #[error(transparent)]
+    View(#[from] FrameViewError),
     /// The device failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+}
+
+impl From<Cancelled> for DrawError {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Prepare(cancelled.into())
+    }
 }
 
 /// How frames are drawn.
@@ -41,84 +62,145 @@ pub struct FrameStyle {
     pub size: [u32; 2],
     /// Width of the pen in pixels, for methods that do not bring their own.
     pub pen_width_px: f64,
-    /// Samples a pixel, 1 or 4.
+    /// Samples per pixel, 1 or 4.
     pub samples: u32,
+    /// What lies behind the mesh.
+    pub ground: Ground,
+}
+
+/// What lies behind the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Ground {
+    /// White paper.
+    #[default]
+    Paper,
+    /// Nothing: pixels without ink have an alpha of 0.
+    Transparent,
+}
+
+impl Ground {
+    /// The colour that the target is cleared to.
+    fn color(self) -> [f64; 4] {
+        match self {
+            Self::Paper => [1.0; 4],
+            Self::Transparent => [0.0; 4],
+        }
+    }
 }
 
 /// A prepared method with everything it needs to draw frames.
 pub struct Drawing {
     target: Target,
     style: FrameStyle,
+    mesh: Arc<MeshBuffers>,
     source: Source,
 }
 
 enum Source {
-    Edges(Box<EdgeSource>),
-    Lines { method: Box<dyn LineMethod>, renderer: Box<dyn LineRenderer> },
+    Edges(Box<EdgeRenderer<Timed>>),
+    Own { renderer: Box<dyn FrameRenderer>, placement: PenPlacement },
 }
 
-/// What the edges of a method are drawn with.
-struct EdgeSource {
-    method: Box<dyn EdgeMethod>,
-    edges: SilhouetteEdges,
-    mesh: Arc<TriangleMesh>,
-    topology: Arc<Topology>,
-    buffers: MeshBuffers,
-    fill: FillPass,
-    lines: LinePass,
-    polylines: Polylines,
-    /// Scene depth, where the target cannot be read because it has several samples a pixel.
-    depth: Option<Target>,
+impl Source {
+    fn renderer(&mut self) -> &mut dyn FrameRenderer {
+        match self {
+            Self::Edges(renderer) => &mut **renderer,
+            Self::Own { renderer, .. } => &mut **renderer,
+        }
+    }
+}
+
+/// A method whose extractions are timed.
+struct Timed {
+    method: Box<dyn ExtractsEdges>,
+    extract_ms: f64,
+}
+
+impl ExtractsEdges for Timed {
+    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
+        let start = Instant::now();
+        let stats = self.method.extract_edges(viewpoint, out);
+        self.extract_ms = start.elapsed().as_secs_f64() * 1000.0;
+        stats
+    }
 }
 
 impl Drawing {
-    /// Sets up buffers, pipelines and targets.
+    /// Sets up buffers, pipelines and targets. Of a method that both draws lines and extracts edges its own lines are drawn.
     ///
     /// # Errors
-    /// [`DrawError::MeshTooLarge`] or [`DrawError::Gpu`].
-    pub fn new(gpu: &Gpu, mesh: &Arc<PreparedMesh>, prepared: Prepared, style: FrameStyle) -> Result<Self, DrawError> {
+    /// [`DrawError`], [`DrawError::Kind`] where the method yields no such picture.
+    pub fn new(
+        gpu: &Gpu,
+        mesh: &Arc<PreparedMesh>,
+        prepared: Prepared,
+        kind: PictureKind,
+        style: FrameStyle,
+    ) -> Result<Self, DrawError> {
         let formats = TargetFormats { samples: style.samples, ..DEFAULT_FORMATS };
-        let source = match prepared {
-            Prepared::Edges(method) => Source::Edges(Box::new(EdgeSource::new(gpu, mesh, method, formats, style)?)),
-            Prepared::Lines(method) => {
-                let renderer = method.renderer(gpu, formats)?;
-                Source::Lines { method, renderer }
+        let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?);
+        let own = match kind {
+            PictureKind::Lines => prepared
+                .lines()
+                .map(|method| Ok((method.renderer(gpu, formats, &buffers)?, method.pen_placement()))),
+            PictureKind::Fill => {
+                prepared.fill().map(|method| Ok((method.renderer(gpu, formats, &buffers)?, PenPlacement::Centred)))
             }
         };
-        Ok(Self { target: Target::new(gpu, style.size, formats)?, style, source })
+        let source = match own.transpose().map_err(DrawError::Renderer)? {
+            Some((renderer, placement)) => Source::Own { renderer, placement },
+            None if kind == PictureKind::Lines => {
+                let method = prepared.into_edges().ok_or(DrawError::Kind(kind))?;
+                let pen = Pen { width_px: style.pen_width_px, placement: PenPlacement::Centred };
+                let strokes = StrokeStyle { pen, ..StrokeStyle::default() };
+                let pipelines = Arc::new(StrokePipelines::new(gpu.device(), formats, strokes));
+                let strokes = StrokeRenderer::new(gpu.device(), &pipelines, &buffers);
+                let topology = mesh.artefact::<Topology>("drawing of edges", &NoProgress)?;
+                let method = Timed { method, extract_ms: 0.0 };
+                let renderer = EdgeRenderer::new(method, Arc::clone(mesh.mesh()), topology, strokes);
+                Source::Edges(Box::new(renderer))
+            }
+            None => return Err(DrawError::Kind(kind)),
+        };
+        gpu.check()?;
+        Ok(Self { target: Target::new(gpu, style.size, formats)?, style, mesh: buffers, source })
     }
 
-    /// The pen that frames are drawn with: for a method with a pen of its own, its placement and the style's width.
+    /// The pen that lines are drawn with: for a method with a pen of its own, its placement and the style's width.
     pub fn pen(&self) -> Pen {
         let placement = match &self.source {
             Source::Edges(_) => PenPlacement::Centred,
-            Source::Lines { method, .. } => method.pen_placement(),
+            Source::Own { placement, .. } => *placement,
         };
         Pen { width_px: self.style.pen_width_px, placement }
     }
 
-    /// Draws a frame and waits for it.
+    /// Draws a frame in one submission and waits for it. The frame's time is that of preparing, encoding, submitting and
+    /// waiting; nothing is read back meanwhile.
     ///
     /// # Errors
-    /// [`DrawError::Gpu`].
+    /// [`DrawError`].
     pub fn draw(&mut self, gpu: &Gpu, camera: &Camera) -> Result<FrameSample, DrawError> {
+        let Some(bounds) = self.mesh.bounds() else { return Err(DrawError::View(FrameViewError::Viewport)) };
         let start = Instant::now();
-        let (passes, extraction) = match &mut self.source {
-            Source::Edges(source) => source.draw(gpu, camera, &self.target, self.style.pen_width_px)?,
-            Source::Lines { renderer, .. } => {
-                renderer.prepare(gpu.device(), gpu.queue(), camera);
-                let pass = gpu.draw_after(
-                    &self.target,
-                    Load::Clear(PAPER),
-                    |encoder| renderer.encode(encoder),
-                    |pass| renderer.draw(pass),
-                )?;
-                (vec![pass], None)
+        let renderer = self.source.renderer();
+        let range = renderer.clip_range(camera, camera.clip_range(&bounds));
+        let view = FrameView::from_camera(camera, range, DEFAULT_FORMATS.depth_direction)?;
+        renderer.prepare(gpu.device(), gpu.queue(), &view)?;
+        let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
+        let pass = gpu.draw_after(
+            &self.target,
+            Load::Clear(self.style.ground.color()),
+            |encoder| renderer.encode(encoder),
+            |pass| renderer.draw(pass),
+        )?;
+        let extraction = match &self.source {
+            Source::Edges(renderer) => {
+                Some(ExtractionSample { extract_ms: renderer.extractor().extract_ms, stats: renderer.stats() })
             }
+            Source::Own { .. } => None,
         };
-        let frame_ms = start.elapsed().as_secs_f64() * 1000.0;
-        let gpu_ms = passes.iter().map(|pass| pass.gpu_ms).sum();
-        Ok(FrameSample { frame_ms, gpu_ms, extraction })
+        Ok(FrameSample { frame_ms: prepare_ms + pass.wall_ms, gpu_ms: pass.gpu_ms, extraction })
     }
 
     /// The frame drawn last.
@@ -129,90 +211,33 @@ impl Drawing {
         Ok(self.target.read_color(gpu)?)
     }
 
-    /// What the user should know of the frame drawn last; see [`LineRenderer::warning`].
+    /// What the user should know of the frame drawn last; see [`FrameRenderer::warning`].
     pub fn warning(&self) -> Option<String> {
         match &self.source {
             Source::Edges(_) => None,
-            Source::Lines { renderer, .. } => renderer.warning(),
+            Source::Own { renderer, .. } => renderer.warning(),
         }
     }
 
     /// The edges of the frame drawn last, for a method that extracts edges.
     pub fn edges(&self) -> Option<&SilhouetteEdges> {
         match &self.source {
-            Source::Edges(source) => Some(&source.edges),
-            Source::Lines { .. } => None,
+            Source::Edges(renderer) => Some(renderer.edges()),
+            Source::Own { .. } => None,
         }
-    }
-}
-
-impl EdgeSource {
-    fn new(
-        gpu: &Gpu,
-        mesh: &Arc<PreparedMesh>,
-        method: Box<dyn EdgeMethod>,
-        formats: TargetFormats,
-        style: FrameStyle,
-    ) -> Result<Self, DrawError> {
-        let single = TargetFormats { samples: 1, ..formats };
-        let topology = mesh.artefact("drawing of edges", &NoProgress).map_err(PrepareError::from)?;
-        let depth = (formats.samples > 1).then(|| Target::new(gpu, style.size, single)).transpose()?;
-        Ok(Self {
-            method,
-            edges: SilhouetteEdges::default(),
-            mesh: Arc::clone(mesh.mesh()),
-            topology,
-            buffers: MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?,
-            fill: FillPass::new(gpu, single, FillStyle::PAPER)?,
-            lines: LinePass::new(gpu, formats.color, formats.samples)?,
-            polylines: Polylines::default(),
-            depth,
-        })
-    }
-
-    fn draw(
-        &mut self,
-        gpu: &Gpu,
-        camera: &Camera,
-        target: &Target,
-        width_px: f64,
-    ) -> Result<(Vec<PassTime>, Option<ExtractionSample>), DrawError> {
-        let start = Instant::now();
-        let stats = self.method.extract_edges(&camera.viewpoint(), &mut self.edges);
-        let extract_ms = start.elapsed().as_secs_f64() * 1000.0;
-
-        self.polylines.clear();
-        for edge in self.edges.iter() {
-            let position = |vertex: VertexId| self.mesh.positions()[vertex.index()].as_dvec3();
-            self.polylines.push(self.topology.end_points(edge).map(position), false);
-        }
-
-        let mut passes = Vec::new();
-        let view = PassView::new(camera, self.buffers.bounds(), target.formats().depth_direction);
-        self.fill.prepare(gpu, &self.buffers, &view);
-        let scene_depth = self.depth.as_ref().unwrap_or(target);
-        passes.push(gpu.draw(scene_depth, Load::Clear(PAPER), |pass| self.fill.draw(pass, &self.buffers))?);
-        if self.depth.is_some() {
-            passes.push(gpu.draw(target, Load::Clear(PAPER), |_| {})?);
-        }
-        let pen = Pen { width_px, placement: PenPlacement::Centred };
-        let style = LineStyle { pen, ..LineStyle::default() };
-        self.lines.prepare(gpu, &view, &self.polylines, &style, scene_depth)?;
-        passes.push(gpu.draw_over(target, |pass| self.lines.draw(pass))?);
-        Ok((passes, Some(ExtractionSample { extract_ms, stats })))
     }
 }
 
 /// A picture, with what its user should know.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rendered {
-    /// The picture.
+    /// The picture; with a transparent ground premultiplied by alpha.
     pub image: Image,
-    /// Why its lines may be wrong, and what to choose instead; see [`LineRenderer::warning`].
+    /// Why its lines may be wrong, and what to choose instead; see [`FrameRenderer::warning`].
     pub warning: Option<String>,
 }
 
-/// Draws one view by one method: what a user who only wants the picture needs.
+/// Draws one view by one method, its lines where it yields any: what a user who only wants the picture needs.
 ///
 /// # Errors
 /// [`DrawError`].
@@ -225,8 +250,10 @@ pub fn render_method(
     style: FrameStyle,
     progress: &dyn Progress,
 ) -> Result<Rendered, DrawError> {
+    let can = entry.capabilities();
+    let kind = if can.lines || can.edges { PictureKind::Lines } else { PictureKind::Fill };
     let prepared = entry.prepare(mesh, options, progress)?;
-    let mut drawing = Drawing::new(gpu, mesh, prepared, style)?;
+    let mut drawing = Drawing::new(gpu, mesh, prepared, kind, style)?;
     drawing.draw(gpu, camera)?;
     Ok(Rendered { image: drawing.picture(gpu)?, warning: drawing.warning() })
 }
@@ -235,26 +262,38 @@ pub fn render_method(
 mod tests {
     use super::*;
     use crate::metrics::Ink;
-    use crate::registry;
+    use crate::registry::Registry;
     use silhouette_core::shapes;
     use silhouette_core::view::{Framing, ViewPreset};
     use silhouette_render::testing::gpu_or_skip;
 
-    #[test]
-    fn every_method_draws_with_and_without_antialiasing() {
-        let Some(gpu) = gpu_or_skip("every_method_draws_with_and_without_antialiasing") else { return };
+    fn cube_and_camera() -> (Arc<PreparedMesh>, Camera) {
         let mesh = Arc::new(PreparedMesh::new(shapes::by_name("cube").unwrap()));
         let (direction, up) = ViewPreset::default().directions();
         let framing = Framing::Perspective { fov_y_rad: 0.8 };
         let bounds = mesh.mesh().bounds().unwrap();
-        let camera = Camera::framing(&bounds, direction, up, framing, [128, 96]).unwrap();
-        for entry in registry::all() {
-            let options = OptionValues::defaults(entry.info.options);
+        (mesh, Camera::framing(&bounds, direction, up, framing, [128, 96]).unwrap())
+    }
+
+    fn style(samples: u32, ground: Ground) -> FrameStyle {
+        FrameStyle { size: [128, 96], pen_width_px: 2.0, samples, ground }
+    }
+
+    #[test]
+    fn every_method_draws_lines_with_and_without_antialiasing() {
+        let Some(gpu) = gpu_or_skip("every_method_draws_lines_with_and_without_antialiasing") else { return };
+        let (mesh, camera) = cube_and_camera();
+        for entry in Registry::builtin().entries() {
+            let can = entry.capabilities();
+            if !(can.lines || can.edges) {
+                continue;
+            }
+            let options = OptionValues::defaults(entry.info().options);
             let [sharp, smooth] = [1, 4].map(|samples| {
-                let style = FrameStyle { size: camera.size(), pen_width_px: 2.0, samples };
+                let style = style(samples, Ground::Paper);
                 render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image
             });
-            let name = entry.info.name;
+            let name = entry.info().name;
             let is_grey = |image: &Image| image.rgba.chunks(4).any(|pixel| !matches!(pixel[0], 0 | 255));
             assert!(!is_grey(&sharp) && is_grey(&smooth), "{name}");
             let inked = |image: &Image| {
@@ -266,5 +305,40 @@ mod tests {
             let area = [inked(&sharp), inked(&smooth)];
             assert!(area[0] > 50.0 && (area[0] / area[1] - 1.0).abs() < 0.25, "{name}: {area:?}");
         }
+    }
+
+    #[test]
+    fn on_a_transparent_ground_only_lines_are_opaque() {
+        let Some(gpu) = gpu_or_skip("on_a_transparent_ground_only_lines_are_opaque") else { return };
+        let (mesh, camera) = cube_and_camera();
+        let registry = Registry::builtin();
+        for (name, words) in [("brute-force", &[][..]), ("image-precision", &["interior=depth-only"])] {
+            let entry = registry.find(name).unwrap();
+            let options = OptionValues::parse(entry.info().options, words.iter().copied()).unwrap();
+            let style = style(1, Ground::Transparent);
+            let image = render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image;
+            let [ink, ground] = [[0, 0, 0, 255], [0; 4]].map(|wanted| image.rgba.chunks(4).filter(|p| *p == wanted).count());
+            assert!(ink > 100 && ink + ground == 128 * 96, "{name}: {ink} {ground}");
+            let middle = &image.rgba[4 * (48 * 128 + 64)..][..4];
+            assert_eq!(middle, [0; 4], "{name}: the interior");
+        }
+    }
+
+    #[test]
+    fn a_fill_covers_the_mesh_and_a_method_of_lines_fills_nothing() {
+        let Some(gpu) = gpu_or_skip("a_fill_covers_the_mesh_and_a_method_of_lines_fills_nothing") else { return };
+        let (mesh, camera) = cube_and_camera();
+        let registry = Registry::builtin();
+        let drawn = |name: &str| {
+            let entry = registry.find(name).unwrap();
+            let prepared = entry.prepare(&mesh, &OptionValues::defaults(entry.info().options), &NoProgress).unwrap();
+            let mut drawing = Drawing::new(gpu, &mesh, prepared, PictureKind::Fill, style(1, Ground::Transparent))?;
+            drawing.draw(gpu, &camera)?;
+            drawing.picture(gpu)
+        };
+        let image = drawn("fine-mesh").unwrap();
+        let covered = image.rgba.chunks(4).filter(|pixel| pixel[3] == 255).count();
+        assert!(covered > 1000 && covered < 128 * 96 / 2, "{covered}");
+        assert!(matches!(drawn("brute-force"), Err(DrawError::Kind(PictureKind::Fill))));
     }
 }

@@ -67,6 +67,18 @@ pub struct Bounds {
     pub radius: f64,
 }
 
+impl Bounds {
+    /// The bounds of some finite points; `None` of no point. O(n), twice through the points.
+    pub fn of(points: impl Iterator<Item = Vec3> + Clone) -> Option<Self> {
+        let first = points.clone().next()?;
+        let (min, max) = points.clone().fold((first, first), |(min, max), p| (min.min(p), max.max(p)));
+        let (min, max) = (min.as_dvec3(), max.as_dvec3());
+        let center = (min + max) * 0.5;
+        let radius = points.map(|p| p.as_dvec3().distance_squared(center)).fold(0.0, f64::max).sqrt();
+        Some(Self { min, max, center, radius })
+    }
+}
+
 impl TriangleMesh {
     /// Validates and owns the arrays. O(V + F).
     ///
@@ -122,13 +134,7 @@ impl TriangleMesh {
 
     /// Bounds of the vertices that triangles use; `None` where there is no triangle. O(F).
     pub fn bounds(&self) -> Option<Bounds> {
-        let used = || self.triangles.iter().flatten().map(|&vertex| self.positions[vertex as usize]);
-        let first = used().next()?;
-        let (min, max) = used().fold((first, first), |(min, max), p| (min.min(p), max.max(p)));
-        let (min, max) = (min.as_dvec3(), max.as_dvec3());
-        let center = (min + max) * 0.5;
-        let radius = used().map(|p| p.as_dvec3().distance_squared(center)).fold(0.0, f64::max).sqrt();
-        Some(Bounds { min, max, center, radius })
+        Bounds::of(self.triangles.iter().flatten().map(|&vertex| self.positions[vertex as usize]))
     }
 
     /// Bytes held by the arrays.

@@ -56,6 +56,21 @@ impl Image {
         std::array::from_fn(|channel| self.rgba[first + channel])
     }
 
+    /// The picture with straight alpha, as files hold it, of one whose colours are premultiplied by alpha. Opaque pixels stay
+    /// as they are.
+    #[must_use]
+    pub fn unpremultiplied(mut self) -> Self {
+        for pixel in self.rgba.chunks_exact_mut(4) {
+            let alpha = u32::from(pixel[3]);
+            if (1..255).contains(&alpha) {
+                for part in &mut pixel[..3] {
+                    *part = ((u32::from(*part) * 255 + alpha / 2) / alpha).min(255) as u8;
+                }
+            }
+        }
+        self
+    }
+
     /// The picture as the bytes of a PNG file.
     ///
     /// # Errors

@@ -1,9 +1,9 @@
-//! The wedge on the outer side of a turn. Twin of `shaders/render/line_joins.wgsl` as to the instance.
+//! The wedge on the outer side of a turn. Twin of `shaders/gpu/line_joins.wgsl` as to the instance.
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
-/// One turn. Twin of the struct in `shaders/render/line_joins.wgsl`.
+/// One turn. Twin of the struct in `shaders/gpu/line_joins.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct JoinInstance {

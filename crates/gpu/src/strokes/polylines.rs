@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Open and closed polylines in world space, one after another in one array. Clearing keeps the memory.
+/// Open and closed polylines in a mesh's own space, one after another in one array. Clearing keeps the memory.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Polylines {
     points: Vec<DVec3>,

@@ -6,11 +6,10 @@
 //! has the surface that hides it in front of all three. What this gets wrong is less than a pixel at either end of a
 //! visible piece.
 
-use super::ScreenSegment;
-use crate::image::DepthImage;
-use crate::pass_view::PassView;
+use super::line_segments::ScreenSegment;
+use crate::frame_view::FrameView;
 use glam::DVec2;
-use silhouette_core::view::{DepthDirection, Projection};
+use silhouette_core::view::DepthDirection;
 
 /// A line counts as hidden only where the scene is nearer by more than this share of its depth (of the depth range in
 /// an orthographic view). It must exceed the rounding of a line that lies in the surface, 1e-6 of the depth, and stay
@@ -32,14 +31,17 @@ pub struct DepthScale {
 
 impl DepthScale {
     /// For the depth buffer of a pass that showed `view`, in `format`.
-    pub fn new(view: &PassView, format: wgpu::TextureFormat) -> Self {
+    pub fn new(view: &FrameView, format: wgpu::TextureFormat) -> Self {
+        let law = view.depth_law();
+        let range = law.range();
         // Depths in units of the far plane, or of the depth range, so that any model unit fits 32-bit floats.
-        let (unit, relative_tolerance, absolute_tolerance) = match view.camera.projection() {
-            Projection::Perspective { .. } => (view.range.far, TOLERANCE, 0.0),
-            Projection::Orthographic { .. } => (view.range.far - view.range.near, 0.0, TOLERANCE),
+        let (unit, relative_tolerance, absolute_tolerance) = if law.is_perspective() {
+            (if range.far.is_finite() { range.far } else { range.near }, TOLERANCE, 0.0)
+        } else {
+            (range.far - range.near, 0.0, TOLERANCE)
         };
-        let inverse = view.camera.clip_matrix(view.range, view.direction).inverse();
-        let terms = [-inverse.z_axis.z / unit, -inverse.w_axis.z / unit, inverse.z_axis.w, inverse.w_axis.w];
+        let [p, q, r, s] = law.depth_of_value_terms();
+        let terms = [p / unit, q / unit, r, s];
         let largest = terms[2].abs().max(terms[3].abs());
         // Half a step is the rounding of the value; hardware may round the interpolation as much again.
         let step = match format {
@@ -47,7 +49,7 @@ impl DepthScale {
             wgpu::TextureFormat::Depth32Float => f32::EPSILON,
             _ => 4.0 / 16_777_215.0,
         };
-        let (away_step, clear_depth) = match view.direction {
+        let (away_step, clear_depth) = match view.depth_direction() {
             DepthDirection::Standard => (step, 1.0),
             DepthDirection::Reversed => (-step, 0.0),
         };
@@ -64,8 +66,10 @@ impl DepthScale {
 /// The depth buffer of a scene, asked for the visibility of lines.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneDepth<'a> {
-    /// The values.
-    pub image: &'a DepthImage,
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+    /// The values, row by row.
+    pub values: &'a [f32],
     /// How to compare them.
     pub scale: DepthScale,
 }
@@ -82,9 +86,9 @@ impl SceneDepth<'_> {
 
     /// Whether the scene at the pixel that holds `p` lets the segment through.
     fn lets_through(&self, p: DVec2, segment: &ScreenSegment) -> bool {
-        let last = DVec2::new(f64::from(self.image.width - 1), f64::from(self.image.height - 1));
+        let last = DVec2::from_array(self.size_px.map(f64::from)) - 1.0;
         let pixel = p.floor().clamp(DVec2::ZERO, last);
-        let scene = self.image.value(pixel.x as u32, pixel.y as u32);
+        let scene = self.values[pixel.y as usize * self.size_px[0] as usize + pixel.x as usize];
         if scene.to_bits() == self.scale.clear_depth.to_bits() {
             return true;
         }
@@ -101,13 +105,13 @@ impl SceneDepth<'_> {
 mod tests {
     use super::*;
     use glam::{DVec3, Vec3};
-    use silhouette_core::view::{Camera, ClipRange};
+    use silhouette_core::view::{Camera, ClipRange, Projection};
 
     const RANGE: ClipRange = ClipRange { near: 1.0, far: 9.0 };
 
-    fn view(projection: Projection, direction: DepthDirection) -> PassView {
+    fn view(projection: Projection, direction: DepthDirection) -> FrameView {
         let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y, projection, [8, 8]).unwrap();
-        PassView { range: RANGE, ..PassView::new(&camera, None, direction) }
+        FrameView::from_camera(&camera, RANGE, direction).unwrap()
     }
 
     #[test]
@@ -115,14 +119,11 @@ mod tests {
         for projection in [Projection::Perspective { fov_y_rad: 1.0 }, Projection::Orthographic { height: 4.0 }] {
             for direction in [DepthDirection::Standard, DepthDirection::Reversed] {
                 let view = view(projection, direction);
-                let value = |depth: f64| {
-                    let clip = view.camera.clip_matrix(RANGE, direction).project_point3(DVec3::new(0.0, 0.0, -depth));
-                    clip.z
-                };
+                let value = |depth: f64| view.depth_law().value_at(depth);
                 let format = wgpu::TextureFormat::Depth32Float;
                 let scale = DepthScale::new(&view, format);
-                let plane = DepthImage { width: 8, height: 8, values: vec![value(5.0) as f32; 64] };
-                let scene = SceneDepth { image: &plane, scale };
+                let plane = vec![value(5.0) as f32; 64];
+                let scene = SceneDepth { size_px: [8, 8], values: &plane, scale };
                 let line = |depth: f64| ScreenSegment {
                     a: DVec3::new(1.0, 3.0, value(depth)),
                     b: DVec3::new(7.0, 5.0, value(depth)),
@@ -134,8 +135,8 @@ mod tests {
                 }
                 // Background on one side lets the line through: it bounds what hides it.
                 let mut half = plane.clone();
-                half.values[32..].fill(scale.clear_depth);
-                let scene = SceneDepth { image: &half, scale };
+                half[32..].fill(scale.clear_depth);
+                let scene = SceneDepth { size_px: [8, 8], values: &half, scale };
                 let horizontal =
                     |y: f64| ScreenSegment { a: DVec3::new(1.0, y, value(5.5)), b: DVec3::new(7.0, y, value(5.5)) };
                 assert!(scene.visible_at(&horizontal(3.9), 0.5));

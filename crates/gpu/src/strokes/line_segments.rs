@@ -1,15 +1,17 @@
 //! Projects polylines, clips them before the division, drops sub-pixel steps, and makes one quad of each segment.
 //!
 //! All of it in 64 bits and on the CPU: lines change with every view, and what is uploaded are pixels.
-//! Twin of `shaders/render/line_segments.wgsl` as to the instance.
+//! Twin of `shaders/gpu/line_segments.wgsl` as to the instance.
 
 use super::line_joins::JoinInstance;
-use super::{Cap, Polylines};
+use super::polylines::Polylines;
+use super::style::Cap;
+use crate::frame_view::FrameView;
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use silhouette_core::view::DepthDirection;
 
-/// A segment of a line in a target: pixel coordinates and depth-buffer values of its ends, both affine in between.
+/// A segment of a line in a viewport: pixel coordinates and depth-buffer values of its ends, both affine in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenSegment {
     /// First end: x, y (down) in pixels, depth-buffer value.
@@ -30,7 +32,7 @@ impl ScreenSegment {
     }
 }
 
-/// The quad of one segment. Twin of the struct in `shaders/render/line_segments.wgsl`.
+/// The quad of one segment. Twin of the struct in `shaders/gpu/line_segments.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct SegmentInstance {
@@ -48,30 +50,30 @@ impl SegmentInstance {
     };
 }
 
-/// World space to target pixels, with clipping.
+/// A mesh's own space to pixels of the viewport, with clipping.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Projector {
-    world_to_clip: DMat4,
-    target_px: DVec2,
+pub struct Projector {
+    to_clip: DMat4,
+    viewport_px: DVec2,
     direction: DepthDirection,
-    /// How far beyond the target's sides lines are kept, as a share of half the target.
+    /// How far beyond the viewport's sides lines are kept, as a share of half the viewport.
     guard: DVec2,
 }
 
 impl Projector {
-    /// For strokes that reach `reach_px` pixels of the target away from their lines.
-    pub fn new(world_to_clip: DMat4, target_px: [u32; 2], direction: DepthDirection, reach_px: f64) -> Self {
-        let target_px = DVec2::new(f64::from(target_px[0]), f64::from(target_px[1]));
+    /// For strokes that reach `reach_px` pixels away from their lines.
+    pub fn new(view: &FrameView, reach_px: f64) -> Self {
+        let viewport_px = DVec2::from_array(view.viewport().size_px.map(f64::from));
         // Two pixels more, so that a cut end is never seen.
-        let guard = DVec2::ONE + 2.0 * (reach_px + 2.0) / target_px;
-        Self { world_to_clip, target_px, direction, guard }
+        let guard = DVec2::ONE + 2.0 * (reach_px + 2.0) / viewport_px;
+        Self { to_clip: view.object_to_clip(), viewport_px, direction: view.depth_direction(), guard }
     }
 
-    fn to_clip(self, world: DVec3) -> DVec4 {
-        self.world_to_clip * world.extend(1.0)
+    fn to_clip(self, object: DVec3) -> DVec4 {
+        self.to_clip * object.extend(1.0)
     }
 
-    /// The part of the segment in front of the near plane and around the target, with the share of the segment at
+    /// The part of the segment in front of the near plane and around the viewport, with the share of the segment at
     /// which it begins and ends; `None` where there is none. Clipping before the division keeps a line that passes
     /// the eye from being stretched across the picture.
     fn clip(self, a: DVec4, b: DVec4) -> Option<(ScreenSegment, f64, f64)> {
@@ -112,17 +114,17 @@ impl Projector {
 
     fn to_pixel(self, clip: DVec4) -> Option<DVec3> {
         let ndc = clip.truncate() / clip.w;
-        let pixel = DVec2::new(ndc.x + 1.0, 1.0 - ndc.y) * 0.5 * self.target_px;
+        let pixel = DVec2::new(ndc.x + 1.0, 1.0 - ndc.y) * 0.5 * self.viewport_px;
         (clip.w > 0.0 && ndc.is_finite()).then(|| pixel.extend(ndc.z))
     }
 
-    /// The part of a segment that lies in front of the near plane and around the target.
+    /// The part of a segment that lies in front of the near plane and around the viewport; `None` where there is none.
     pub fn project(self, a: DVec3, b: DVec3) -> Option<ScreenSegment> {
         self.clip(self.to_clip(a), self.to_clip(b)).map(|(segment, ..)| segment)
     }
 }
 
-/// Steps shorter than this many pixels of the target are merged with the next: their direction is noise, and a join
+/// Steps shorter than this many pixels are merged with the next: their direction is noise, and a join
 /// would follow it. A thirtieth of a pixel cannot be seen.
 const MERGE_PX: f64 = 1.0 / 32.0;
 
@@ -229,15 +231,14 @@ fn append(run: &mut Vec<DVec3>, point: DVec3) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pass_view::PassView;
     use glam::Vec3;
-    use silhouette_core::view::{Camera, Projection};
+    use silhouette_core::view::{Camera, ClipRange, Projection};
 
     fn projector(direction: DepthDirection) -> (Camera, Projector) {
         let projection = Projection::Perspective { fov_y_rad: 1.0 };
         let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y, projection, [200, 100]).unwrap();
-        let view = PassView::new(&camera, None, direction);
-        (camera, Projector::new(view.world_to_clip(), view.target_px(), direction, 4.0))
+        let view = FrameView::from_camera(&camera, ClipRange { near: 2.5, far: 7.5 }, direction).unwrap();
+        (camera, Projector::new(&view, 4.0))
     }
 
     fn strokes(lines: &[(&[DVec3], bool)], cap: Cap) -> Strokes {

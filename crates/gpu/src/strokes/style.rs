@@ -1,20 +1,7 @@
-//! Polylines as strokes of exact pixel width.
-//!
-//! 1. [`line_segments`]: project, clip, drop sub-pixel steps; one quad for each segment that is left.
-//! 2. [`line_joins`]: a wedge on the outer side of every turn.
-//! 3. [`line_visibility`]: which fragments the mesh hides.
+//! [`StrokeStyle`]: how lines are drawn.
 
-pub(crate) mod line_joins;
-pub(crate) mod line_segments;
-pub(crate) mod line_visibility;
-mod pass;
-mod polylines;
-
-pub use line_segments::ScreenSegment;
-pub use pass::LinePass;
-pub use polylines::Polylines;
-
-use silhouette_gpu::{Pen, PenPlacement};
+use crate::color::Color;
+use crate::pen::{Pen, PenPlacement};
 
 /// How the gap on the outer side of a turn is filled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -52,30 +39,45 @@ pub enum Hidden {
     Drawn,
 }
 
+/// What a line renderer draws where the mesh is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Interior {
+    /// The mesh in one colour, hiding what lies behind it: a drawing on paper.
+    Paper(Color),
+    /// No colour, but depth: the mesh hides what is drawn later, and a transparent ground stays transparent.
+    DepthOnly,
+    /// Nothing: lines over the caller's own shading.
+    #[default]
+    None,
+}
+
 /// How lines are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LineStyle {
-    /// Width, in pixels of the camera's viewport, and placement.
+pub struct StrokeStyle {
+    /// Width, in pixels of the target, and placement.
     pub pen: Pen,
-    /// Ink, opaque: what the format stores for `Unorm`, linear for `Srgb`.
-    pub color: [f32; 4],
+    /// Ink. Where it is translucent, strokes that overlap darken each other.
+    pub ink: Color,
     /// Turns.
     pub join: Join,
     /// Ends.
     pub cap: Cap,
     /// Parts that the mesh covers.
     pub hidden: Hidden,
+    /// What is drawn where the mesh is.
+    pub interior: Interior,
 }
 
-impl Default for LineStyle {
-    /// Black, 1.5 px, centred, everything round, hidden parts removed.
+impl Default for StrokeStyle {
+    /// Black, 1.5 px, centred, everything round, hidden parts removed, no interior.
     fn default() -> Self {
         Self {
             pen: Pen { width_px: 1.5, placement: PenPlacement::Centred },
-            color: [0.0, 0.0, 0.0, 1.0],
-            join: Join::Round,
-            cap: Cap::Round,
-            hidden: Hidden::Removed,
+            ink: Color::BLACK,
+            join: Join::default(),
+            cap: Cap::default(),
+            hidden: Hidden::default(),
+            interior: Interior::default(),
         }
     }
 }

@@ -1,0 +1,65 @@
+//! The command line `silhouettes`, with any list of methods: find, draw and compare the silhouettes of triangle meshes.
+//!
+//! A program with a method of its own has the whole command line in a few lines; the method then stands in every list, report
+//! and message. `examples/own-method` in the repository is such a program.
+//!
+//! ```no_run
+//! use silhouettes::{Entry, Registry};
+//! # use silhouette_extraction::BruteForce as MyMethod;
+//!
+//! fn main() -> std::process::ExitCode {
+//!     silhouettes::run(&Registry::builtin().with(Entry::of::<MyMethod>().edges()))
+//! }
+//! ```
+//!
+//! Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input. A failure is one line on stderr that names the place
+//! and the mend. Results go to stdout or to `-o`, progress and notes to stderr.
+
+mod args;
+mod camera;
+mod compare;
+mod doctor;
+mod extract;
+mod failure;
+mod input;
+mod inspect;
+mod lines;
+mod output;
+mod progress;
+mod render;
+mod reproduce;
+
+pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
+
+use args::{Arguments, Command};
+use clap::Parser;
+use failure::Failure;
+use std::process::ExitCode;
+
+/// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
+pub fn run(registry: &Registry) -> ExitCode {
+    let result = match Arguments::try_parse() {
+        Ok(arguments) => dispatch(arguments.command, registry),
+        Err(error) if !error.use_stderr() => {
+            // Help and version: clap's own text, on stdout.
+            return if error.print().is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
+        }
+        Err(error) => Err(failure::usage(&error)),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
+    match command {
+        Command::Doctor => doctor::run(registry),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Extract(arguments) => extract::run(&arguments, registry),
+        Command::Lines(arguments) => lines::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments, registry),
+        Command::Compare(arguments) => compare::run(&arguments, registry),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
+    }
+}
