@@ -1,6 +1,6 @@
 //! The one list of methods. To add one, add a line to `ENTRIES`.
 
-use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
+use silhouette_core::method::{ExtractionStats, MethodOptions, OptionValues, PrepareError};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, Viewpoint};
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
@@ -84,22 +84,25 @@ pub enum Prepared {
 impl Entry {
     /// An entry for a method that extracts edges.
     pub const fn edges<M: Method + ExtractsEdges>() -> Self {
-        let prepare: PrepareFn =
-            |mesh, options, progress| Ok(Prepared::Edges(Box::new(EdgesOnly(M::prepare(mesh, options, progress)?))));
+        let prepare: PrepareFn = |mesh, options, progress| {
+            Ok(Prepared::Edges(Box::new(EdgesOnly(M::prepare(mesh, &M::Options::read(options)?, progress)?))))
+        };
         Self { info: const { &M::INFO }, yields: Yields::Edges, prepare }
     }
 
     /// An entry for a method that extracts edges and loops.
     pub const fn loops<M: Method + ExtractsLoops>() -> Self {
-        let prepare: PrepareFn =
-            |mesh, options, progress| Ok(Prepared::Edges(Box::new(WithLoops(M::prepare(mesh, options, progress)?))));
+        let prepare: PrepareFn = |mesh, options, progress| {
+            Ok(Prepared::Edges(Box::new(WithLoops(M::prepare(mesh, &M::Options::read(options)?, progress)?))))
+        };
         Self { info: const { &M::INFO }, yields: Yields::Loops, prepare }
     }
 
     /// An entry for a method that draws lines.
     pub const fn lines<M: DrawsLines>() -> Self {
-        let prepare: PrepareFn =
-            |mesh, options, progress| Ok(Prepared::Lines(Box::new(M::prepare(mesh, options, progress)?)));
+        let prepare: PrepareFn = |mesh, options, progress| {
+            Ok(Prepared::Lines(Box::new(M::prepare(mesh, &M::Options::read(options)?, progress)?)))
+        };
         Self { info: const { &M::INFO }, yields: Yields::Lines, prepare }
     }
 
