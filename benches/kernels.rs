@@ -6,7 +6,7 @@
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
-use silhouette_core::method::{Method, OptionValues};
+use silhouette_core::method::{Method, NoOptions};
 use silhouette_core::shapes::by_name;
 use silhouette_core::{
     ExtractsEdges, FaceFacings, NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint, load,
@@ -85,8 +85,7 @@ fn extraction(criterion: &mut Criterion) {
         let eye = (bounds.center + silhouette_core::glam::DVec3::new(0.55, 0.35, 1.0) * 3.0 * bounds.radius).as_vec3();
         let viewpoint = Viewpoint::Perspective { eye: eye + Vec3::splat(1e-3) };
         let prepared = Arc::new(PreparedMesh::new(mesh));
-        let mut method = BruteForce::prepare(&prepared, &OptionValues::defaults(&[]), &NoProgress)
-            .expect("nothing cancels and there are no options");
+        let mut method = BruteForce::new(&prepared, NoOptions).expect("nothing cancels and there are no options");
         let topology = prepared.artefact::<Topology>("bench", &NoProgress).expect("nothing cancels");
         let mut edges = SilhouetteEdges::default();
         method.extract_edges(&viewpoint, &mut edges);

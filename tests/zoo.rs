@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use proptest::prelude::*;
-use silhouette_core::method::{Method, OptionValues};
+use silhouette_core::method::{Method, NoOptions};
 use silhouette_core::shapes::{Sphere, Torus, by_name};
 use silhouette_core::{
     ExtractsEdges, ExtractsLoops, FaceFacings, NoProgress, PreparedMesh, SilhouetteEdges, SilhouetteLoops, Topology,
@@ -23,7 +23,7 @@ pub struct Seen {
 /// Brute force on one view.
 pub fn look(mesh: &TriangleMesh, viewpoint: &Viewpoint) -> Seen {
     let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
-    let mut method = BruteForce::prepare(&prepared, &OptionValues::defaults(&[]), &NoProgress).unwrap();
+    let mut method = BruteForce::new(&prepared, NoOptions).unwrap();
     let (mut edges, mut loops) = (SilhouetteEdges::default(), SilhouetteLoops::default());
     method.extract_edges(viewpoint, &mut edges);
     method.extract_loops(viewpoint, &mut loops);

@@ -7,12 +7,13 @@
 //! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh.
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
 //! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint; [`displaced`]: the same for a viewer in general position. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
-//! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops.
+//! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops; [`curves`]: silhouettes as smooth pieces.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
 //!
 //! Cost is stated in faces F, edges E, vertices V and silhouette edges S. Every result is the same bits for any number
 //! of threads. Nothing here knows about a GPU or needs a C++ compiler.
 
+pub mod curves;
 pub mod displaced;
 mod exact;
 pub mod facing;
@@ -36,13 +37,14 @@ pub mod weld;
 
 pub use glam;
 
+pub use curves::SilhouetteCurves;
 pub use displaced::DisplacedViewer;
 pub use facing::{FaceFacings, Facing, FacingRule};
 pub use facing_memo::FacingMemo;
 pub use id::{EdgeId, FaceId, HalfEdgeId, PerElement, VertexId};
 pub use loops::SilhouetteLoops;
 pub use mesh::{MeshError, TriangleMesh};
-pub use method::{ExtractsEdges, ExtractsLoops, Method, MethodInfo};
+pub use method::{ExtractsCurves, ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOptions, NoOptions};
 pub use prepared::PreparedMesh;
 pub use progress::{Cancelled, NoProgress, Progress};
 pub use silhouette::SilhouetteEdges;

@@ -1,25 +1,30 @@
-//! The contract of a method: what it says of itself ([`MethodInfo`]), how it is prepared ([`Method`]) and what it can do
+//! The contract of a method: its description ([`MethodInfo`]) and options ([`MethodOptions`]), how it is prepared ([`Method`]) and what it can do
 //! (the capability traits).
 //!
-//! To add a paper: make a crate with one file a step, implement [`Method`] and those capabilities that the method has,
-//! add one line to the registry in `silhouette-compare`. A method that cannot do a thing does not implement the trait;
-//! nothing answers "unsupported" at run time.
+//! To add a paper: make a crate with one file per step, make the options struct with
+//! [`method_options!`](crate::method_options), implement [`Method`] and the capabilities that the method has, and add one
+//! line to the registry in `silhouette-compare`. A method that cannot do something does not implement the trait; nothing
+//! answers "unsupported" at run time.
 //!
 //! | capability | trait | yields |
 //! |---|---|---|
 //! | extracts edges | [`ExtractsEdges`] | sorted edge ids |
 //! | extracts edges of a moving mesh | [`ExtractsMovingEdges`] | the same, for this frame's positions |
 //! | extracts loops | [`ExtractsLoops`] | closed, oriented loops of half-edges |
+//! | extracts curves | [`ExtractsCurves`] | smooth pieces in open or closed chains |
 //! | draws lines | `silhouette_gpu::DrawsLines` | ink in somebody's render pass |
 
 mod options;
+mod typed_options;
 
-pub use options::{OptionError, OptionKind, OptionSpec, OptionValues};
+pub use options::{OptionError, OptionKind, OptionSpec, OptionValue, OptionValues};
+pub use typed_options::{MethodOptions, NoOptions, OptionChoice, OptionField};
 
+use crate::curves::SilhouetteCurves;
 use crate::id::VertexId;
 use crate::loops::SilhouetteLoops;
 use crate::prepared::PreparedMesh;
-use crate::progress::{Cancelled, Progress};
+use crate::progress::{Cancelled, NoProgress, Progress};
 use crate::silhouette::SilhouetteEdges;
 use crate::view::Viewpoint;
 use glam::Vec3;
@@ -38,7 +43,7 @@ pub struct Source {
     pub year: u16,
 }
 
-/// What a method says of itself.
+/// The description of a method.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct MethodInfo {
     /// Name on the command line and in results, in kebab case.
@@ -52,7 +57,7 @@ pub struct MethodInfo {
     /// Names of the artefacts ([`Artefact::NAME`](crate::prepared::Artefact::NAME)) that its preparation asks for,
     /// sorted. Empty: positions and triangles are enough.
     pub needs: &'static [&'static str],
-    /// Its options with ranges and defaults.
+    /// Its options with ranges and defaults: the [`SPECS`](MethodOptions::SPECS) of [`Method::Options`].
     pub options: &'static [OptionSpec],
 }
 
@@ -66,26 +71,40 @@ pub enum PrepareError {
     /// An option has no such name or a value out of range.
     #[error(transparent)]
     Option(#[from] OptionError),
-    /// The mesh is none that the method is defined for; the cause names the elements at fault.
+    /// The method is not defined for the mesh; the cause names the elements at fault.
     #[error(transparent)]
     Mesh(Box<dyn std::error::Error + Send + Sync>),
 }
 
 /// One published method, prepared for one mesh.
 ///
-/// Preparation is what happens once for a mesh; what happens for a view is in the capability traits. The two are never
-/// mixed, in code or in measurement.
+/// Preparation happens once per mesh; the capability traits do what happens for each view. The two are never mixed, in
+/// code or in measurement.
 pub trait Method: Sized + Send + 'static {
+    /// Its options; [`NoOptions`] where there are none.
+    type Options: MethodOptions;
+
     /// Name, source, needs, options.
     const INFO: MethodInfo;
 
-    /// Prepares the method for `mesh`. Derived data is asked of the [`PreparedMesh`], so that methods share it; what
-    /// only this method uses belongs to the returned value.
+    /// Prepares the method for `mesh`. Derived data comes from the [`PreparedMesh`], so that methods share it; what only
+    /// this method uses belongs to the returned value.
     ///
     /// # Errors
-    /// [`PrepareError`]: cancelled, or an option that does not fit.
-    fn prepare(mesh: &Arc<PreparedMesh>, options: &OptionValues, progress: &dyn Progress)
-    -> Result<Self, PrepareError>;
+    /// [`PrepareError`]: cancelled, an option out of range, or a mesh that the method is not defined for.
+    fn prepare(
+        mesh: &Arc<PreparedMesh>,
+        options: &Self::Options,
+        progress: &dyn Progress,
+    ) -> Result<Self, PrepareError>;
+
+    /// [`prepare`](Self::prepare) without progress.
+    ///
+    /// # Errors
+    /// [`PrepareError`]: an option out of range, or a mesh that the method is not defined for.
+    fn new(mesh: &Arc<PreparedMesh>, options: Self::Options) -> Result<Self, PrepareError> {
+        Self::prepare(mesh, &options, &NoProgress)
+    }
 
     /// Bytes this value holds beyond the artefacts of its mesh.
     fn bytes(&self) -> usize;
@@ -96,7 +115,7 @@ pub trait Method: Sized + Send + 'static {
 pub struct ExtractionStats {
     /// Faces whose facing was evaluated.
     pub faces_tested: u64,
-    /// Edge tests: looks at an edge to see whether its faces differ.
+    /// How often an edge was tested for faces that differ.
     pub edges_tested: u64,
     /// Nodes of a hierarchy whose bounds were evaluated; 0 for a method without one.
     pub nodes_visited: u64,
@@ -113,11 +132,11 @@ pub trait ExtractsEdges: Send {
 
 /// Finds the silhouette edges of a mesh whose vertices move while its triangles stay: skinning, morphing, simulation.
 pub trait ExtractsMovingEdges: ExtractsEdges {
-    /// Makes `positions` (one a vertex, in object space) the ones that the next extractions see. The topology is kept;
-    /// the mesh that the method was prepared for is not changed. O(V + F), allocates nothing from the second call on.
+    /// Makes the next extractions see `positions`, one per vertex in object space. The topology is kept; the mesh that the
+    /// method was prepared for is not changed. O(V + F), allocates nothing from the second call on.
     ///
     /// # Errors
-    /// [`PositionsError`]; the positions of before then stay in force.
+    /// [`PositionsError`]; the previous positions then stay in force.
     fn update_positions(&mut self, positions: &[Vec3]) -> Result<(), PositionsError>;
 }
 
@@ -125,7 +144,7 @@ pub trait ExtractsMovingEdges: ExtractsEdges {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PositionsError {
-    /// Not one position a vertex.
+    /// Not one position per vertex.
     #[error("{given} positions for a mesh of {vertices} vertices")]
     Count {
         /// How many were given.
@@ -146,4 +165,10 @@ pub trait ExtractsLoops: ExtractsEdges {
     /// Replaces `out` by the loops that the silhouette half-edges seen from `viewpoint` form, front face on the left,
     /// ordered by each loop's lowest edge, at which it begins.
     fn extract_loops(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteLoops) -> ExtractionStats;
+}
+
+/// Finds the silhouette of a view as smooth curves.
+pub trait ExtractsCurves: Send {
+    /// Replaces `out` by the curves seen from `viewpoint`, in object space. Once `out` has grown, a call allocates nothing.
+    fn extract_curves(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteCurves) -> ExtractionStats;
 }

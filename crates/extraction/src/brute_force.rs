@@ -8,21 +8,23 @@
 //! Departures: (1) the sign of the plane equation is exact; (2) an edge with three or more faces is a silhouette edge iff
 //! its faces do not all face the same way (Hall excludes such meshes); (3) an edge is reported once, by id, ascending.
 //!
-//! One thread, no acceleration: every other method must equal this one, so its code has to be right at a glance.
+//! One thread, no acceleration: every other method must equal this one, so its code has to be obviously right.
 
 use silhouette_core::facing::judge;
 use silhouette_core::id::{FaceId, HalfEdgeId};
 use silhouette_core::loops::LoopWalker;
-use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError, Source};
+use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge;
-use silhouette_core::{ExtractsEdges, ExtractsLoops, FaceFacings, Method, MethodInfo, PreparedMesh, Progress};
-use silhouette_core::{SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{
+    ExtractsEdges, ExtractsLoops, FaceFacings, Method, MethodInfo, MethodOptions, NoOptions, PreparedMesh, Progress,
+    SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
+};
 use std::sync::Arc;
 
 /// Finds silhouette edges by looking at every face and at every edge of the front ones. See the [module](self).
 ///
-/// O(F + S log S) a view; F bits of scratch.
+/// O(F + S log S) per view; F bits of scratch.
 #[derive(Debug, Clone)]
 pub struct BruteForce {
     mesh: Arc<TriangleMesh>,
@@ -35,20 +37,18 @@ pub struct BruteForce {
 }
 
 impl Method for BruteForce {
+    type Options = NoOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "brute-force",
         summary: "Classifies every face, then tests every edge of the front ones; one thread, the oracle of all others.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
         exact: true,
         needs: &[Topology::NAME],
-        options: &[],
+        options: NoOptions::SPECS,
     };
 
-    fn prepare(
-        mesh: &Arc<PreparedMesh>,
-        _options: &OptionValues,
-        progress: &dyn Progress,
-    ) -> Result<Self, PrepareError> {
+    fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {
         Ok(Self {
             mesh: Arc::clone(mesh.mesh()),
             topology: mesh.artefact(Self::INFO.name, progress)?,

@@ -25,13 +25,11 @@ use crate::patches::{FacePatches, PatchPlanes};
 use crate::sweep::{Harvest, Sweep, share_among_threads};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
-use silhouette_core::method::{
-    ExtractionStats, ExtractsMovingEdges, OptionValues, PositionsError, PrepareError, Source,
-};
+use silhouette_core::method::{ExtractionStats, ExtractsMovingEdges, PositionsError, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, FaceId, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops,
-    Topology, TriangleMesh, VertexId, Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceId, Method, MethodInfo, MethodOptions, NoOptions, PreparedMesh, Progress,
+    SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, VertexId, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -60,20 +58,18 @@ struct Moved {
 }
 
 impl Method for BruteForceSimd {
+    type Options = NoOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "brute-force-simd",
         summary: "Classifies every face, 64 at a time from 16-bit planes, and tests edges only where facings differ; exact.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
         exact: true,
         needs: &[FacePatches::NAME, Topology::NAME],
-        options: &[],
+        options: NoOptions::SPECS,
     };
 
-    fn prepare(
-        mesh: &Arc<PreparedMesh>,
-        _options: &OptionValues,
-        progress: &dyn Progress,
-    ) -> Result<Self, PrepareError> {
+    fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         let patches = mesh.artefact::<FacePatches>(Self::INFO.name, progress)?;
         let harvests = vec![Harvest::default(); patches.len().div_ceil(PATCHES_PER_TASK)];

@@ -22,11 +22,11 @@ use crate::edge_order::EdgeOrder;
 use crate::loop_scratch::LoopScratch;
 use crate::patches::FacePatches;
 use crate::sweep::{Far, Harvest, Near, Sweep, share_among_threads};
-use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError, Source};
+use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, FaceId, FacingRule, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges,
-    SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceId, FacingRule, Method, MethodInfo, MethodOptions, NoOptions, PreparedMesh,
+    Progress, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -55,6 +55,8 @@ pub struct ClusterCones {
 }
 
 impl Method for ClusterCones {
+    type Options = NoOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "cluster-cones",
         summary: "Skips clusters of faces that all face one way by a tree of plane bounds, evaluates the others; exact.",
@@ -66,14 +68,10 @@ impl Method for ClusterCones {
         },
         exact: true,
         needs: &[FacePatches::NAME, Topology::NAME],
-        options: &[],
+        options: NoOptions::SPECS,
     };
 
-    fn prepare(
-        mesh: &Arc<PreparedMesh>,
-        _options: &OptionValues,
-        progress: &dyn Progress,
-    ) -> Result<Self, PrepareError> {
+    fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         let patches = mesh.artefact::<FacePatches>(Self::INFO.name, progress)?;
         progress.check()?;

@@ -1,9 +1,9 @@
 //! Silhouette edges of a triangle mesh, found in object space.
 //!
-//! | method | cost a view | choose it when |
+//! | method | cost per view | choose it when |
 //! |---|---|---|
 //! | [`BruteForce`] | O(F + S log S) | you want the plainest code that is right: it is the oracle of all other methods |
-//! | [`BruteForceSimd`] | O(F + S), 10 bytes a face | the mesh moves, or is small, or a view is seen once |
+//! | [`BruteForceSimd`] | O(F + S), 10 bytes per face | the mesh moves, or is small, or a view is seen once |
 //! | [`ClusterCones`] | about O(sqrt F) | the mesh stays and is seen from many viewpoints |
 //! | [`Randomized`] | O(probes + S) | missing some small loops is a fair price for not looking at every face |
 //!
@@ -24,4 +24,4 @@ pub use brute_force::BruteForce;
 pub use brute_force_simd::BruteForceSimd;
 pub use cluster_cones::ClusterCones;
 pub use patches::FacePatches;
-pub use randomized::Randomized;
+pub use randomized::{Randomized, RandomizedOptions};

@@ -20,12 +20,12 @@
 
 use crate::edge_order::EdgeOrder;
 use silhouette_core::loops::next_silhouette_half_edge;
-use silhouette_core::method::{ExtractionStats, OptionKind, OptionSpec, OptionValues, PrepareError, Source};
+use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge_where;
 use silhouette_core::{
-    EdgeId, ExtractsEdges, FacingMemo, HalfEdgeId, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges,
-    Topology, TriangleMesh, Viewpoint,
+    EdgeId, ExtractsEdges, FacingMemo, HalfEdgeId, Method, MethodInfo, MethodOptions, PreparedMesh, Progress,
+    SilhouetteEdges, Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -47,7 +47,20 @@ pub struct Randomized {
     order: EdgeOrder,
 }
 
+silhouette_core::method_options! {
+    /// Options of [`Randomized`].
+    pub struct RandomizedOptions {
+        /// Share of all edges that each view tests at random; 0 only follows the last view, 1 is slower than brute force and
+        /// still misses some loops.
+        pub probes: f64 = number("probes", 0.0..=1.0, default 0.01),
+        /// Start of the random sequence; any whole number is as good as another.
+        pub seed: u32 = whole("seed", 0..=4_294_967_295, default 1),
+    }
+}
+
 impl Method for Randomized {
+    type Options = RandomizedOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "randomized",
         summary: "Tests the last view's edges and some random ones, then walks along the silhouette; finds whole loops or none.",
@@ -59,34 +72,21 @@ impl Method for Randomized {
         },
         exact: false,
         needs: &[Topology::NAME],
-        options: &[
-            OptionSpec {
-                name: "probes",
-                summary: "Share of all edges that each view tests at random; 0 only follows the last view, 1 is slower than \
-                          brute force and still misses some loops.",
-                unit: "",
-                kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.01 },
-            },
-            OptionSpec {
-                name: "seed",
-                summary: "Start of the random sequence; any whole number is as good as another.",
-                unit: "",
-                kind: OptionKind::Number { min: 0.0, max: 4_294_967_295.0, default: 1.0 },
-            },
-        ],
+        options: RandomizedOptions::SPECS,
     };
 
     fn prepare(
         mesh: &Arc<PreparedMesh>,
-        options: &OptionValues,
+        options: &RandomizedOptions,
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
+        options.validate()?;
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         let edges = topology.edge_count();
         Ok(Self {
             mesh: Arc::clone(mesh.mesh()),
-            probes: (options.number("probes")? * edges as f64).ceil() as u64,
-            random: SplitMix64(options.number("seed")? as u64),
+            probes: (options.probes * edges as f64).ceil() as u64,
+            random: SplitMix64(options.seed.into()),
             memo: FacingMemo::default(),
             last: Vec::new(),
             found: Vec::new(),

@@ -7,13 +7,12 @@
 #![allow(clippy::print_stdout, reason = "an example that prints a table")]
 
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::method::{Method, OptionValues};
+use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::prepared::PreparedMesh;
-use silhouette_core::progress::NoProgress;
 use silhouette_core::shapes::by_name;
 use silhouette_core::view::{Camera, Framing};
 use silhouette_gpu::{DrawsLines, LineRenderer, MeshBuffers};
-use silhouette_image_precision::{ImagePrecision, Renderer};
+use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions, Renderer};
 use silhouette_render::{
     AdapterChoice, Cull, DEFAULT_FORMATS, FillPass, FillStyle, Gpu, Load, PassView, Shade, Target,
 };
@@ -62,8 +61,7 @@ fn profile(gpu: &Gpu, name: &str, mesh: &Arc<PreparedMesh>, size: u32) -> Result
     }
     let mut renderers: Vec<Renderer> = Vec::new();
     for (_, words) in VARIANTS {
-        let options = OptionValues::parse(ImagePrecision::INFO.options, words.split(' '))?;
-        let method = ImagePrecision::prepare(mesh, &options, &NoProgress)?;
+        let method = ImagePrecision::new(mesh, ImagePrecisionOptions::parse(words.split(' '))?)?;
         let mut renderer = method.renderer(gpu.device(), gpu.queue(), DEFAULT_FORMATS)?;
         renderer.prepare(gpu.device(), gpu.queue(), &camera);
         renderers.push(renderer);

@@ -10,13 +10,14 @@
 use silhouette_core::glam::DMat4;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection};
 
-/// The plane that back faces see elsewhere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MovedPlane {
-    /// The near plane.
-    Near,
-    /// The far plane.
-    Far,
+silhouette_core::option_choice! {
+    /// The plane that back faces see elsewhere.
+    pub enum MovedPlane {
+        /// The near plane.
+        Near = "near",
+        /// The far plane.
+        Far = "far",
+    }
 }
 
 /// What is left of a range at least.

@@ -1,8 +1,9 @@
 //! Fattens polygons and draws them. Stages: `shaders/image_precision/cut_triangles.wgsl`, `fans.wgsl`, `fatten.wgsl`.
 
 use crate::fatten::FattenLaw;
+use crate::options::Texture;
 use crate::polygons::Polygons;
-use crate::settings::{Settings, Texture, Variant};
+use crate::settings::{Settings, Variant};
 use crate::stage::{Stage, buffers_group, compute, groups, ink_fragment, storage_buffer, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge, TargetFormats};
 use silhouette_shaders::image_precision::{CUT_TRIANGLES, FANS, FATTEN};

@@ -72,7 +72,7 @@ mod front_faces;
 mod line_width;
 mod method;
 pub mod offset;
-mod options;
+pub mod options;
 mod polygons;
 #[cfg(feature = "gpu")]
 mod renderer;
@@ -88,7 +88,8 @@ pub mod wireframe;
 
 pub use line_width::{LineWidth, WidthOverDepth, WidthUnit};
 pub use method::ImagePrecision;
+pub use options::ImagePrecisionOptions;
 pub use polygons::Polygons;
 #[cfg(feature = "gpu")]
 pub use renderer::Renderer;
-pub use settings::{ExtraEdges, Interior, Settings, Texture, Variant};
+pub use settings::{ExtraEdges, Interior, Settings, Variant};

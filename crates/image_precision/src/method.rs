@@ -1,16 +1,16 @@
 //! [`ImagePrecision`]: what the method says of itself, and its preparation.
 
 use crate::feature_edges::feature_edges;
-use crate::options;
+use crate::options::ImagePrecisionOptions;
 use crate::polygons::Polygons;
 use crate::settings::{ExtraEdges, Settings};
 use silhouette_core::Topology;
-use silhouette_core::method::{Method, MethodInfo, OptionValues, PrepareError, Source};
+use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
 use std::sync::Arc;
 
-/// Raskar and Cohen's method, prepared for a mesh: which is to say, with its options read.
+/// Raskar and Cohen's method, prepared for a mesh: its options interpreted, and what they ask of the mesh.
 #[derive(Debug, Clone)]
 pub struct ImagePrecision {
     mesh: Arc<PreparedMesh>,
@@ -20,6 +20,8 @@ pub struct ImagePrecision {
 }
 
 impl Method for ImagePrecision {
+    type Options = ImagePrecisionOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "image-precision",
         summary: "Draws back faces black over white front faces, so that they show along silhouettes alone; or, by \
@@ -32,15 +34,16 @@ impl Method for ImagePrecision {
         },
         exact: false,
         needs: &[],
-        options: options::ALL,
+        options: ImagePrecisionOptions::SPECS,
     };
 
     fn prepare(
         mesh: &Arc<PreparedMesh>,
-        options: &OptionValues,
+        options: &ImagePrecisionOptions,
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
-        let settings = Settings::read(options)?;
+        options.validate()?;
+        let settings = Settings::from(*options);
         let extra_edges = if settings.extra_edges == ExtraEdges::None {
             Vec::new()
         } else {
@@ -62,7 +65,7 @@ impl ImagePrecision {
         &self.mesh
     }
 
-    /// What the options say.
+    /// The options, interpreted.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
@@ -81,21 +84,18 @@ impl ImagePrecision {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::settings::Variant;
-    use silhouette_core::method::OptionKind;
-    use silhouette_core::progress::NoProgress;
+    use silhouette_core::method::{OptionChoice, OptionError};
     use silhouette_core::shapes::Cuboid;
 
     fn prepare(words: &[&str]) -> (ImagePrecision, Arc<PreparedMesh>) {
         let mesh = Arc::new(PreparedMesh::new(Cuboid::default().mesh().unwrap()));
-        let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
-        (ImagePrecision::prepare(&mesh, &options, &NoProgress).unwrap(), mesh)
+        let options = ImagePrecisionOptions::parse(words.iter().copied()).unwrap();
+        (ImagePrecision::new(&mesh, options).unwrap(), mesh)
     }
 
     #[test]
     fn no_variant_derives_anything_but_for_extra_edges() {
-        let OptionKind::Choice(variants) = options::VARIANT.kind else { panic!("variant is a choice") };
-        for variant in variants {
+        for variant in crate::options::VariantChoice::WORDS {
             let (method, mesh) = prepare(&[&format!("variant={variant}"), "polygons=fans"]);
             assert!(mesh.report().is_empty(), "{variant}");
             assert_eq!(method.polygons().map(Polygons::count), Some(6));
@@ -106,17 +106,14 @@ mod tests {
     }
 
     #[test]
-    fn options_are_read_into_their_variant() {
-        assert_eq!(prepare(&[]).0.settings().variant, Variant::Screen);
-        assert_eq!(prepare(&["variant=scale", "scale=0.95"]).0.settings().variant, Variant::Scale { k: 0.95 });
-        assert_eq!(prepare(&["variant=unoriented"]).0.settings().variant, Variant::Unoriented { k: Some(0.99) });
-    }
-
-    #[test]
-    fn scales_that_are_none_are_refused() {
+    fn values_out_of_range_are_refused() {
         for word in ["scale=0", "scale=-0.5", "scale=1.01", "scale=nan", "width=-1"] {
-            assert!(OptionValues::parse(ImagePrecision::INFO.options, [word]).is_err(), "{word}");
+            assert!(ImagePrecisionOptions::parse([word]).is_err(), "{word}");
         }
-        assert!(OptionValues::parse(ImagePrecision::INFO.options, ["scale=1"]).is_ok());
+        assert!(ImagePrecisionOptions::parse(["scale=1"]).is_ok());
+        let mesh = Arc::new(PreparedMesh::new(Cuboid::default().mesh().unwrap()));
+        let options = ImagePrecisionOptions { ink_alpha: 1.5, ..ImagePrecisionOptions::default() };
+        let error = ImagePrecision::new(&mesh, options).unwrap_err();
+        assert!(matches!(error, PrepareError::Option(OptionError::Value { name: "ink-alpha", .. })), "{error}");
     }
 }

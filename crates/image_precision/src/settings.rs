@@ -1,10 +1,12 @@
-//! [`Settings`]: the options, read into types.
+//! [`Settings`]: what the options come to, each variant with what it alone needs.
 
 use crate::depth_range::MovedPlane;
 use crate::fatten::FattenLaw;
 use crate::line_width::{LineWidth, WidthUnit};
-use crate::options as named;
-use silhouette_core::method::{OptionError, OptionValues};
+use crate::options::{
+    ExtraEdgesChoice, EyeInside, FattenedPolygons, ImagePrecisionOptions, InteriorChoice, LawChoice, Texture,
+    UnorientedLines, VariantChoice, WidthUnitChoice, WireframeLines,
+};
 
 /// How step 3 draws back faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +77,7 @@ pub enum ExtraEdges {
     BoundaryAndCreases(f64),
 }
 
-/// How front faces look.
+/// How front faces are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interior {
     /// White.
@@ -86,20 +88,13 @@ pub enum Interior {
     Grey,
     /// From cool to warm (Gooch, Gooch, Shirley and Cohen 1998).
     Gooch,
+    /// Depth without colour: they hide lines over whatever the target holds.
+    DepthOnly,
+    /// Not drawn: the depth that the target holds hides lines.
+    None,
 }
 
-/// The pattern of lines that have a width.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Texture {
-    /// None.
-    Solid,
-    /// 7 px of ink and 5 px of paper along the axis of the image that an edge is nearer to.
-    Dashes,
-    /// A chequerboard of 2 px in the image.
-    Stipple,
-}
-
-/// Everything that the options say.
+/// The options, interpreted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// How back faces are drawn.
@@ -116,8 +111,10 @@ pub struct Settings {
     pub light_thinning: f64,
     /// Share of the ink that the farthest lines lose.
     pub depth_fade: f64,
-    /// Red, green and blue of the ink, 0 to 1, as the target stores them.
+    /// Red, green and blue of the ink, 0 to 1, in sRGB as displayed.
     pub ink: [f64; 3],
+    /// Opacity of the ink, 0 to 1.
+    pub ink_alpha: f64,
     /// Pattern of lines.
     pub texture: Texture,
     /// Front faces.
@@ -126,84 +123,116 @@ pub struct Settings {
     pub skips_inside: bool,
 }
 
-impl Settings {
-    /// Reads checked values.
-    ///
-    /// # Errors
-    /// [`OptionError::Foreign`] where the values were made for another method.
-    pub fn read(values: &OptionValues) -> Result<Self, OptionError> {
-        let number = |spec: &silhouette_core::method::OptionSpec| values.number(spec.name);
-        let choice = |spec: &silhouette_core::method::OptionSpec| values.choice(spec.name);
-        let variant = Self::variant(values)?;
-        let unit = match choice(&named::WIDTH_UNIT)? {
-            "world" => WidthUnit::World,
-            "mm" => WidthUnit::Millimetres { dpi: number(&named::DPI)? },
-            "height-percent" => WidthUnit::HeightPercent,
-            _ => WidthUnit::Pixels,
-        };
-        let clutter = number(&named::CLUTTER)?;
-        Ok(Self {
-            variant,
+impl From<ImagePrecisionOptions> for Settings {
+    fn from(options: ImagePrecisionOptions) -> Self {
+        let clutter = options.clutter_distance_radii;
+        Self {
+            variant: options.into(),
             width: LineWidth {
-                value: number(&named::WIDTH)?,
-                unit,
+                value: options.width,
+                unit: match options.width_unit {
+                    WidthUnitChoice::Pixels => WidthUnit::Pixels,
+                    WidthUnitChoice::World => WidthUnit::World,
+                    WidthUnitChoice::Millimetres => WidthUnit::Millimetres { dpi: options.dpi },
+                    WidthUnitChoice::HeightPercent => WidthUnit::HeightPercent,
+                },
                 thins_beyond_radii: (clutter > 0.0).then_some(clutter),
             },
-            fatten_clamp: number(&named::FATTEN_CLAMP)?,
-            fans: choice(&named::POLYGONS)? == "fans",
-            extra_edges: match choice(&named::EXTRA_EDGES)? {
-                "boundary" => ExtraEdges::Boundary,
-                "boundary-and-creases" => ExtraEdges::BoundaryAndCreases(number(&named::CREASE_ANGLE)?.to_radians()),
-                _ => ExtraEdges::None,
+            fatten_clamp: options.fatten_clamp,
+            fans: options.polygons == FattenedPolygons::Fans,
+            extra_edges: match options.extra_edges {
+                ExtraEdgesChoice::None => ExtraEdges::None,
+                ExtraEdgesChoice::Boundary => ExtraEdges::Boundary,
+                ExtraEdgesChoice::BoundaryAndCreases => {
+                    ExtraEdges::BoundaryAndCreases(options.crease_angle_deg.to_radians())
+                }
             },
-            light_thinning: number(&named::LIGHT)?,
-            depth_fade: number(&named::FADE)?,
-            ink: [number(&named::RED)?, number(&named::GREEN)?, number(&named::BLUE)?],
-            texture: match choice(&named::TEXTURE)? {
-                "dashes" => Texture::Dashes,
-                "stipple" => Texture::Stipple,
-                _ => Texture::Solid,
+            light_thinning: options.light_thinning,
+            depth_fade: options.depth_fade,
+            ink: [options.ink_red, options.ink_green, options.ink_blue],
+            ink_alpha: options.ink_alpha,
+            texture: options.texture,
+            interior: match options.interior {
+                InteriorChoice::Auto if options.variant == VariantChoice::Charcoal => Interior::Grey,
+                InteriorChoice::Auto | InteriorChoice::Paper => Interior::Paper,
+                InteriorChoice::Lit => Interior::Lit,
+                InteriorChoice::Grey => Interior::Grey,
+                InteriorChoice::Gooch => Interior::Gooch,
+                InteriorChoice::DepthOnly => Interior::DepthOnly,
+                InteriorChoice::None => Interior::None,
             },
-            interior: match choice(&named::INTERIOR)? {
-                "lit" => Interior::Lit,
-                "grey" => Interior::Grey,
-                "gooch" => Interior::Gooch,
-                "auto" if matches!(variant, Variant::Charcoal { .. }) => Interior::Grey,
-                _ => Interior::Paper,
+            skips_inside: options.eye_inside == EyeInside::Skip,
+        }
+    }
+}
+
+impl From<ImagePrecisionOptions> for Variant {
+    fn from(options: ImagePrecisionOptions) -> Self {
+        let law = match options.fatten_law {
+            LawChoice::Exact => FattenLaw::Exact,
+            LawChoice::AsPrinted => FattenLaw::AsPrinted,
+        };
+        match options.variant {
+            VariantChoice::Screen => Self::Screen,
+            VariantChoice::Equal => Self::Equal,
+            VariantChoice::Wireframe => {
+                Self::Wireframe { polygon_mode: options.wireframe_lines == WireframeLines::PolygonMode }
+            }
+            VariantChoice::FixedPull => Self::FixedPull { radii: options.pull_radii },
+            VariantChoice::Scale => Self::Scale { k: options.scale },
+            VariantChoice::DepthRange => Self::DepthRange { plane: options.depth_plane, factor: options.plane_factor },
+            VariantChoice::Offset => Self::Offset {
+                slope: options.offset_slope,
+                constant: options.offset_constant,
+                clamp: options.offset_clamp,
             },
-            skips_inside: choice(&named::EYE_INSIDE)? == "skip",
-        })
+            VariantChoice::Fatten => Self::Fatten { law },
+            VariantChoice::FattenSimple => Self::Fatten { law: FattenLaw::WithoutSine },
+            VariantChoice::Charcoal => Self::Charcoal { law, band: options.charcoal_band },
+            VariantChoice::Unoriented => {
+                Self::Unoriented { k: (options.unoriented_lines == UnorientedLines::Scale).then_some(options.scale) }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::MethodOptions;
+
+    fn settings(words: &[&str]) -> Settings {
+        ImagePrecisionOptions::parse(words.iter().copied()).unwrap().into()
     }
 
-    fn variant(values: &OptionValues) -> Result<Variant, OptionError> {
-        let number = |spec: &silhouette_core::method::OptionSpec| values.number(spec.name);
-        let choice = |spec: &silhouette_core::method::OptionSpec| values.choice(spec.name);
-        let law = match choice(&named::FATTEN_LAW)? {
-            "as-printed" => FattenLaw::AsPrinted,
-            _ => FattenLaw::Exact,
-        };
-        Ok(match choice(&named::VARIANT)? {
-            "equal" => Variant::Equal,
-            "wireframe" => Variant::Wireframe { polygon_mode: choice(&named::LINES)? == "polygon-mode" },
-            "fixed-pull" => Variant::FixedPull { radii: number(&named::PULL)? },
-            "scale" => Variant::Scale { k: number(&named::SCALE)? },
-            "depth-range" => Variant::DepthRange {
-                plane: if choice(&named::DEPTH_PLANE)? == "far" { MovedPlane::Far } else { MovedPlane::Near },
-                factor: number(&named::PLANE_FACTOR)?,
-            },
-            "offset" => Variant::Offset {
-                slope: number(&named::OFFSET_SLOPE)?,
-                constant: number(&named::OFFSET_CONSTANT)?,
-                clamp: number(&named::OFFSET_CLAMP)?,
-            },
-            "fatten" => Variant::Fatten { law },
-            "fatten-simple" => Variant::Fatten { law: FattenLaw::WithoutSine },
-            "charcoal" => Variant::Charcoal { law, band: number(&named::BAND)? },
-            "unoriented" => {
-                let scales = choice(&named::FIRST_LAYER_LINES)? == "scale";
-                Variant::Unoriented { k: if scales { Some(number(&named::SCALE)?) } else { None } }
-            }
-            _ => Variant::Screen,
-        })
+    #[test]
+    fn each_variant_takes_its_own_options() {
+        assert_eq!(settings(&[]).variant, Variant::Screen);
+        assert_eq!(settings(&["variant=scale", "scale=0.95"]).variant, Variant::Scale { k: 0.95 });
+        assert_eq!(settings(&["variant=unoriented"]).variant, Variant::Unoriented { k: Some(0.99) });
+        let screen = settings(&["variant=unoriented", "unoriented-lines=screen"]);
+        assert_eq!(screen.variant, Variant::Unoriented { k: None });
+        let far = Variant::DepthRange { plane: MovedPlane::Far, factor: 2.0 };
+        assert_eq!(settings(&["variant=depth-range", "depth-plane=far", "plane-factor=2"]).variant, far);
+        let simple = settings(&["variant=fatten-simple", "fatten-law=as-printed"]);
+        assert_eq!(simple.variant, Variant::Fatten { law: FattenLaw::WithoutSine });
+    }
+
+    #[test]
+    fn the_interior_follows_the_variant_unless_it_is_named() {
+        assert_eq!(settings(&[]).interior, Interior::Paper);
+        assert_eq!(settings(&["variant=charcoal"]).interior, Interior::Grey);
+        assert_eq!(settings(&["variant=charcoal", "interior=paper"]).interior, Interior::Paper);
+        assert_eq!(settings(&["interior=depth-only"]).interior, Interior::DepthOnly);
+        assert_eq!(settings(&["variant=charcoal", "interior=none"]).interior, Interior::None);
+    }
+
+    #[test]
+    fn ink_and_width_are_read_in_their_units() {
+        let ink = settings(&["ink-red=0.1", "ink-green=0.2", "ink-blue=0.3", "ink-alpha=0.4"]);
+        assert_eq!((ink.ink, ink.ink_alpha, settings(&[]).ink_alpha), ([0.1, 0.2, 0.3], 0.4, 1.0));
+        let width = settings(&["width=0.3", "width-unit=mm", "dpi=600", "clutter-distance=5"]).width;
+        assert_eq!((width.value, width.unit), (0.3, WidthUnit::Millimetres { dpi: 600.0 }));
+        assert_eq!((width.thins_beyond_radii, settings(&[]).width.thins_beyond_radii), (Some(5.0), None));
     }
 }

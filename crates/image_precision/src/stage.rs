@@ -50,7 +50,18 @@ impl Stage {
         color: wgpu::TextureFormat,
         samples: u32,
     ) -> wgpu::RenderPipeline {
-        let targets = [Some(color.into())];
+        self.build_for(device, layouts, color.into(), samples)
+    }
+
+    /// [`build`](Self::build) for a target with its own blending or write mask.
+    pub(crate) fn build_for(
+        self,
+        device: &wgpu::Device,
+        layouts: &[Option<&wgpu::BindGroupLayout>],
+        target: wgpu::ColorTargetState,
+        samples: u32,
+    ) -> wgpu::RenderPipeline {
+        let targets = [Some(target)];
         let module = module(device, self.label, self.wgsl);
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),

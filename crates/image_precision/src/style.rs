@@ -2,8 +2,9 @@
 
 use crate::depth_range;
 use crate::fatten::FattenLaw;
+use crate::options::Texture;
 use crate::screen::Rounding;
-use crate::settings::{Settings, Texture, Variant};
+use crate::settings::{Settings, Variant};
 use crate::{fixed_pull, scale, screen};
 use bytemuck::{Pod, Zeroable};
 use silhouette_core::glam::{DMat4, DVec3};

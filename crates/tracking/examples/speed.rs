@@ -11,7 +11,7 @@
 use silhouette_core::glam::DVec3;
 use silhouette_core::{NoProgress, PreparedMesh, SilhouetteLoops, TriangleMesh, Viewpoint, load, shapes};
 use silhouette_tracking::{
-    BruteForce, Concavity, ConnectivityTable, MeshPolicy, TestedEdges, TrackedEdges, Tracker, TrackingOptions,
+    BruteForce, Concavity, ConnectivityTable, MeshPolicy, TestedEdges, TrackedEdges, Tracker, TrackerOptions,
     TrackingStats,
 };
 use std::error::Error;
@@ -109,7 +109,7 @@ fn measure(
         for &level_rad in levels_rad {
             let concavity = Concavity::Above(level_rad);
             let mesh_policy = MeshPolicy::Cut;
-            let options = TrackingOptions { concavity, tested_edges, mesh_policy, ..TrackingOptions::default() };
+            let options = TrackerOptions { concavity, tested_edges, mesh_policy, ..TrackerOptions::default() };
             let (mesh, table, edges) = shared();
             fliers.push(Flier::Tracker(Box::new(Tracker::new(mesh, table, edges, options)?)));
         }
@@ -129,7 +129,7 @@ fn measure(
         let (speed_up, missed) = (base_us / us, 100.0 * (1.0 - flown.half_edges as f64 / all));
         let counts = [flown.loops as u64, flown.stats.walks, flown.stats.walk_steps];
         let [loops, walks, steps] = counts.map(|count| count as f64 / frames);
-        let TrackingOptions { tested_edges, concavity, .. } = tracker.options();
+        let TrackerOptions { tested_edges, concavity, .. } = tracker.options();
         let (tested, level, fresh) = (format!("{tested_edges:?}"), format!("{concavity:?}"), flown.fresh_frames);
         writeln!(
             out,

@@ -15,14 +15,14 @@
 use silhouette_core::topology::Twin;
 use silhouette_core::{FaceId, HalfEdgeId, SilhouetteLoops, Topology};
 
-/// Where the walk starts from an old edge on both sides of which faces are visible now.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum WalkStart {
-    /// At the face that has become visible: the way the silhouette went.
-    #[default]
-    Corrected,
-    /// At the old visible face, as the parameters are named: away from it.
-    AsPrinted,
+silhouette_core::option_choice! {
+    /// Where the walk starts from an old edge on both sides of which faces are visible now.
+    pub enum WalkStart {
+        /// At the face that has become visible: the way the silhouette went.
+        Corrected = "corrected",
+        /// At the old visible face, as the parameters are named: away from it.
+        AsPrinted = "as-printed",
+    }
 }
 
 /// In which order the half-edges of a loop are listed.

@@ -18,10 +18,11 @@
 //! Loops without a new answer are taken over together. The price: the faces about a vertex that the silhouette has left
 //! are evaluated too (departure 7 of the [crate](crate) says how many).
 //!
-//! The set that keeps double silhouettes out is a place a half-edge: where in the list of this or the last frame it
-//! stands, if it does stand there. So nothing is ever cleared, and completing a loop also learns from which old loops
-//! its half-edges came.
+//! `places` stores, for each half-edge, its index in the list of this or of the last frame; it is valid only if the
+//! half-edge does stand there, so nothing is ever cleared. It prevents listing a loop twice, and completing a loop also
+//! yields the old loops from which its half-edges came.
 
+use crate::asked::Asked;
 use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::faces::Faces;
 use crate::identity::Relation;
@@ -53,24 +54,6 @@ pub(crate) struct WalkedLoops {
     trail: Vec<Asked>,
     /// Where in the trail the step to the next half-edge ends, for each half-edge in the order of the loops.
     trail_ends: Vec<u32>,
-}
-
-/// A face that a walk asked about, times two, plus whether it was front.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Asked(u32);
-
-impl Asked {
-    fn new(face: FaceId, is_front: bool) -> Self {
-        Self(face.get() << 1 | u32::from(is_front))
-    }
-
-    pub fn face(self) -> FaceId {
-        FaceId::new(self.0 >> 1)
-    }
-
-    pub fn was_front(self) -> bool {
-        self.0 & 1 == 1
-    }
 }
 
 impl WalkedLoops {

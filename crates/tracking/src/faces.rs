@@ -1,6 +1,6 @@
 //! The faces of one view: facing on demand, each evaluated at most once.
 
-use crate::complete_silhouette::Asked;
+use crate::asked::Asked;
 use crate::connectivity_table::{ConnectivityTable, Side};
 use crate::plane_test::PlaneTest;
 use silhouette_core::facing::Facing;

@@ -58,6 +58,7 @@
 //! most 60 a concave edge, and some 40 a silhouette edge.
 
 pub mod as_printed;
+mod asked;
 pub mod brute_force;
 mod budget;
 mod complete_silhouette;
@@ -85,7 +86,7 @@ pub use concave_edges::{ConcaveEdge, TrackedEdges};
 pub use connectivity_table::ConnectivityTable;
 pub use identity::{LoopEvent, LoopEvents, LoopId, LoopIdentities, Relation};
 pub use method::{ExactTracking, Tracking};
-pub use options::{Accuracy, Concavity, ErrorBudget, MeshPolicy, TestedEdges, TrackingOptions};
+pub use options::{Accuracy, Concavity, ErrorBudget, MeshPolicy, TestedEdges, TrackerOptions, TrackingOptions};
 pub use refuse::{Defect, DefectKind, NotTrackable};
 pub use stats::{BruteForceReason, TrackingStats};
 pub use tracker::Tracker;

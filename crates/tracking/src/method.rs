@@ -1,19 +1,16 @@
 //! The tracker as a [`Method`] beside all others.
 
-use crate::as_printed::{LoopOrder, WalkStart};
 use crate::concave_edges::TrackedEdges;
 use crate::connectivity_table::ConnectivityTable;
-use crate::options::{Accuracy, Concavity, ErrorBudget, MeshPolicy, TestedEdges, TrackingOptions};
+use crate::options::{Accuracy, TrackerOptions, TrackingOptions};
 use crate::tracker::Tracker;
 use silhouette_core::glam::Vec3;
 use silhouette_core::loops::LoopStart;
-use silhouette_core::method::{
-    ExtractionStats, ExtractsMovingEdges, OptionKind, OptionSpec, OptionValues, PositionsError, PrepareError, Source,
-};
+use silhouette_core::method::{ExtractionStats, ExtractsMovingEdges, PositionsError, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops,
-    Viewpoint,
+    ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOptions, NoOptions, PreparedMesh, Progress,
+    SilhouetteEdges, SilhouetteLoops, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -42,76 +39,11 @@ impl From<Tracker> for Tracking {
     }
 }
 
-const OPTIONS: &[OptionSpec] = &[
-    OptionSpec {
-        name: "concavity",
-        summary: "Only concave edges whose interior angle exceeds pi by more than this are searched for new loops: 0 \
-                  searches all, pi or more none, which is fast and misses what is new.",
-        unit: "rad",
-        kind: OptionKind::Number { min: 0.0, max: 3.2, default: 0.0 },
-    },
-    OptionSpec {
-        name: "missed-share",
-        summary: "Share of the silhouette's length that may be missed. Above 0 it sets the level while tracking, by what \
-                  audits see missed.",
-        unit: "",
-        kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.0 },
-    },
-    OptionSpec {
-        name: "audit-share",
-        summary: "Faces that audits may evaluate, over those that tracking evaluates.",
-        unit: "",
-        kind: OptionKind::Number { min: 1e-6, max: 1000.0, default: 0.1 },
-    },
-    OptionSpec {
-        name: "tested-edges",
-        summary: "How many edges of each old loop are tested: all, or one and more only where it leads nowhere.",
-        unit: "",
-        kind: OptionKind::Choice(&["all", "single"]),
-    },
-    OptionSpec {
-        name: "mesh",
-        summary: "What happens to a mesh with edges that cannot be tracked across: it is refused, or cut there.",
-        unit: "",
-        kind: OptionKind::Choice(&["refuse", "cut"]),
-    },
-    OptionSpec {
-        name: "jump",
-        summary: "The eye's longest move, over its distance, that is tracked; 0 finds each frame by brute force.",
-        unit: "",
-        kind: OptionKind::Number { min: 0.0, max: 1000.0, default: 0.5 },
-    },
-    OptionSpec {
-        name: "walk-start",
-        summary: "Where walks to a grown silhouette start: at the face that became visible, or as printed.",
-        unit: "",
-        kind: OptionKind::Choice(&["corrected", "as-printed"]),
-    },
-];
-
-fn options(values: &OptionValues) -> Result<TrackingOptions, PrepareError> {
-    let missed_share = values.number("missed-share")? as f32;
-    let budget = ErrorBudget { missed_share, audit_share: values.number("audit-share")? as f32 };
-    Ok(TrackingOptions {
-        accuracy: if missed_share > 0.0 { Accuracy::Budget(budget) } else { Accuracy::Level },
-        concavity: Concavity::Above(values.number("concavity")? as f32),
-        tested_edges: if values.choice("tested-edges")? == "all" { TestedEdges::All } else { TestedEdges::Single },
-        mesh_policy: if values.choice("mesh")? == "refuse" { MeshPolicy::Refuse } else { MeshPolicy::Cut },
-        jump: values.number("jump")?,
-        walk_start: match values.choice("walk-start")? {
-            "corrected" => WalkStart::Corrected,
-            _ => WalkStart::AsPrinted,
-        },
-        // Loops of this trait run along their half-edges.
-        loop_order: LoopOrder::Corrected,
-    })
-}
-
 fn prepare(
     asker: &'static str,
     mesh: &Arc<PreparedMesh>,
     edges: Arc<TrackedEdges>,
-    options: TrackingOptions,
+    options: TrackerOptions,
     progress: &dyn Progress,
 ) -> Result<Tracking, PrepareError> {
     let table = mesh.artefact::<ConnectivityTable>(asker, progress)?;
@@ -120,20 +52,26 @@ fn prepare(
 }
 
 impl Method for Tracking {
+    type Options = TrackingOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "tracking",
-        summary: "Follows the last view's loops, and searches concave and border edges for new ones; may miss loops, the \
+        summary: "Follows the last view's loops, and searches concave and boundary edges for new ones; may miss loops, the \
                   more the higher its level.",
         source: Source { authors: "T. Hall", title: "Silhouette Tracking", venue: "bytegeist.com", year: 2003 },
         exact: false,
         needs: &[ConnectivityTable::NAME, TrackedEdges::NAME],
-        options: OPTIONS,
+        options: TrackingOptions::SPECS,
     };
 
-    fn prepare(mesh: &Arc<PreparedMesh>, values: &OptionValues, progress: &dyn Progress) -> Result<Self, PrepareError> {
-        let options = options(values)?;
+    fn prepare(
+        mesh: &Arc<PreparedMesh>,
+        options: &TrackingOptions,
+        progress: &dyn Progress,
+    ) -> Result<Self, PrepareError> {
+        options.validate()?;
         let edges = mesh.artefact::<TrackedEdges>(Self::INFO.name, progress)?;
-        prepare(Self::INFO.name, mesh, edges, options, progress)
+        prepare(Self::INFO.name, mesh, edges, (*options).into(), progress)
     }
 
     fn bytes(&self) -> usize {
@@ -177,6 +115,8 @@ impl ExactTracking {
 }
 
 impl Method for ExactTracking {
+    type Options = NoOptions;
+
     const INFO: MethodInfo = MethodInfo {
         name: "tracking-exact",
         summary: "Keeps the last view's loops but for those that a turned face touches; knows by the eye's path which \
@@ -189,15 +129,11 @@ impl Method for ExactTracking {
         },
         exact: true,
         needs: &[ConnectivityTable::NAME],
-        options: &[],
+        options: NoOptions::SPECS,
     };
 
-    fn prepare(
-        mesh: &Arc<PreparedMesh>,
-        _values: &OptionValues,
-        progress: &dyn Progress,
-    ) -> Result<Self, PrepareError> {
-        let options = TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() };
+    fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {
+        let options = TrackerOptions { accuracy: Accuracy::Exact, ..TrackerOptions::default() };
         prepare(Self::INFO.name, mesh, Arc::new(TrackedEdges::none()), options, progress).map(Self)
     }
 

@@ -9,7 +9,7 @@ pub enum BruteForceReason {
     FirstFrame,
     /// The frame before had no silhouette to track.
     NothingToTrack,
-    /// The eye moved farther than [`TrackingOptions::jump`](crate::TrackingOptions::jump), or the kind of view changed.
+    /// The eye moved farther than [`TrackerOptions::jump`](crate::TrackerOptions::jump), or the kind of view changed.
     Jump,
     /// The eye may have crossed the surface.
     MayHaveCrossed,

@@ -11,7 +11,7 @@ use crate::exact::ExactMode;
 use crate::eye_crossing::ClearBall;
 use crate::faces::Faces;
 use crate::identity::{LoopEvents, LoopId, LoopIdentities};
-use crate::options::{Accuracy, Concavity, MeshPolicy, TestedEdges, TrackingOptions};
+use crate::options::{Accuracy, Concavity, MeshPolicy, TestedEdges, TrackerOptions};
 use crate::refuse::NotTrackable;
 use crate::scene::Scene;
 use crate::single_edge::track_single_edge;
@@ -29,7 +29,7 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct Tracker {
     scene: Scene,
-    options: TrackingOptions,
+    options: TrackerOptions,
     active: ActiveEdges,
     memo: FacingMemo,
     loops: FoundLoops,
@@ -51,7 +51,7 @@ impl Tracker {
     /// `table` and `edges` are those of `mesh`; the exact mode searches no edges, so [`TrackedEdges::none`] will do.
     ///
     /// # Errors
-    /// [`NotTrackable`] if the mesh has defects and [`TrackingOptions::mesh_policy`] refuses them.
+    /// [`NotTrackable`] if the mesh has defects and [`TrackerOptions::mesh_policy`] refuses them.
     ///
     /// # Panics
     /// If `table` is of another mesh.
@@ -59,7 +59,7 @@ impl Tracker {
         mesh: Arc<TriangleMesh>,
         table: Arc<ConnectivityTable>,
         edges: Arc<TrackedEdges>,
-        mut options: TrackingOptions,
+        mut options: TrackerOptions,
     ) -> Result<Self, NotTrackable> {
         if options.mesh_policy == MeshPolicy::Refuse && !table.defects().is_empty() {
             return Err(NotTrackable { defects: table.defects().to_vec() });
@@ -195,7 +195,7 @@ impl Tracker {
         }
     }
 
-    /// A move of the eye as [`TrackingOptions::jump`] measures it.
+    /// A move of the eye as [`TrackerOptions::jump`] measures it.
     fn turn_of_eye(&self, before: Vec3, now: Vec3) -> f64 {
         let table = self.scene.surface().table;
         let (before, now) = (before.as_dvec3(), now.as_dvec3());
@@ -289,7 +289,7 @@ impl Tracker {
     }
 
     /// The options in force.
-    pub fn options(&self) -> &TrackingOptions {
+    pub fn options(&self) -> &TrackerOptions {
         &self.options
     }
 

@@ -1,6 +1,7 @@
 //! [`LineCache`]: lines found before, for the same mesh, camera and options.
 
-use crate::finder::{LineError, LineFinder};
+use crate::finder::LineFinder;
+use crate::line_error::LineError;
 use crate::lines::Lines;
 use crate::options::LineOptions;
 use silhouette_core::{Camera, Progress};

@@ -3,7 +3,8 @@
 //! On most meshes almost no edge meets a face that it does not share a vertex with, and whether it does is the same from
 //! everywhere. Each edge that a view has asked about is remembered; for many views, all are asked beforehand.
 
-use crate::face_tree::{Candidate, FaceTree};
+use crate::candidate::Candidate;
+use crate::face_tree::FaceTree;
 use crate::piercing::{Passage, passage, touches};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;

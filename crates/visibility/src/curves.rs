@@ -1,6 +1,7 @@
 //! Smooth curves: cut into straight strokes to be decided, drawn as what they are.
 
 use crate::chains::SegmentSource;
+use crate::curve_part::CurvePart;
 use crate::frame::PictureFrame;
 use crate::kind::LineKind;
 use crate::scene::{CurvePiece, LineScene};
@@ -14,22 +15,6 @@ const CHORD_ERROR_PX: f64 = 0.05;
 
 /// Most chords for one piece of a curve.
 const MAX_CHORDS: f64 = 256.0;
-
-/// Which part of a curve a stroke stands for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurvePart {
-    /// The piece of curve, by its index in the scene.
-    pub piece: u32,
-    /// Its parameters at the stroke's ends.
-    pub range: [f64; 2],
-}
-
-impl CurvePart {
-    /// The curve's parameter where the stroke's is `t`.
-    pub fn parameter(&self, t: f64) -> f64 {
-        self.range[0] + (self.range[1] - self.range[0]) * t
-    }
-}
 
 /// A point of a cubic Bezier curve.
 pub fn point(control: [Vec3; 4], at: f64) -> DVec3 {

@@ -1,7 +1,7 @@
 //! Steps 4 to 8 for all strokes of a view: from edges in the picture to pieces of one invisibility.
 
 use crate::cut::{CutStats, CutStroke, Cutter};
-use crate::finder::{LineError, MAX_PIECES};
+use crate::line_error::{LineError, MAX_PIECES};
 use crate::pieces::{Piece, emit};
 use crate::propagate::Propagation;
 use crate::vertex_faces::VertexFaces;

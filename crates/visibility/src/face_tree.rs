@@ -12,6 +12,7 @@
 //! moved by at most `3 x 2^-24 x 8`. In all below `54 x 2^-24`, a third of the growth.
 
 use crate::bvh::{Boxed, build};
+use crate::candidate::Candidate;
 use crate::fan::Fan;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, node::Bvh2Node};
@@ -45,17 +46,6 @@ fn spread(face: usize) -> f32 {
 
 /// Faces around a vertex from which on they are a [`Fan`].
 const MOST_AROUND_A_VERTEX: u32 = 128;
-
-/// A face that may lie along a line.
-#[derive(Debug, Clone, Copy)]
-pub struct Candidate {
-    /// The face.
-    pub face: FaceId,
-    /// Its vertices.
-    pub vertices: [u32; 3],
-    /// Whether it may hold the segment's ends.
-    pub may_hold: [bool; 2],
-}
 
 /// A face with its grown box. What is looked at first of all faces near a line, side by side for those of a leaf.
 #[derive(Debug, Clone, Copy)]

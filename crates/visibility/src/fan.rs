@@ -5,7 +5,7 @@
 //! may meet are those whose arcs its own arc may meet. Boxes are around arcs on the unit sphere.
 
 use crate::bvh::{Boxed, build};
-use crate::face_tree::Candidate;
+use crate::candidate::Candidate;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use silhouette_core::glam::{DVec3, Vec3A};

@@ -8,7 +8,8 @@
 //! All of this is decided exactly; the ends of a segment are rounded to `f32`. Faces that overlap in one plane have no line
 //! of intersection.
 
-use crate::face_tree::{Candidate, FaceTree};
+use crate::candidate::Candidate;
+use crate::face_tree::FaceTree;
 use crate::piercing::{holds, passage};
 use crate::sheets::pass_through;
 use rayon::prelude::*;

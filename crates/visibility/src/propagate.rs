@@ -12,9 +12,9 @@
 //! faces.
 
 use crate::cut::{CutStroke, Cuts};
-use crate::finder::LineError;
 use crate::gaps::{Gap, spans};
 use crate::layers::Layers;
+use crate::line_error::LineError;
 use crate::sight::Sight;
 use crate::stroke::Strokes;
 use crate::vertex_faces::VertexFaces;

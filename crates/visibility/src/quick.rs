@@ -11,9 +11,9 @@
 //! contour before them, which are drawn. On a fine mesh the silhouette is full of those. To ask that a face at the edge be seen
 //! would draw few of them, but miss half of what is visible, as the faces there are narrower than a pixel.
 
-use crate::finder::LineError;
 use crate::frame::{ClippedEdge, PictureFrame};
 use crate::join::join;
+use crate::line_error::LineError;
 use crate::lines::{LineStats, Lines};
 use crate::options::LineOptions;
 use crate::outline::Outline;

@@ -22,11 +22,11 @@ use crate::stroke::{Stroke, Strokes};
 use crate::surface::Wing;
 use crate::viewed_mesh::ViewedMesh;
 use rayon::prelude::*;
-use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::method::PrepareError;
 use silhouette_core::orientation::orientation;
 use silhouette_core::{
-    DisplacedViewer, EdgeId, FaceFacings, FaceId, Facing, HalfEdgeId, Method, Progress, SilhouetteEdges, Topology,
-    TriangleMesh,
+    DisplacedViewer, EdgeId, FaceFacings, FaceId, Facing, HalfEdgeId, Method, NoOptions, Progress, SilhouetteEdges,
+    Topology, TriangleMesh,
 };
 use silhouette_extraction::ClusterCones;
 use std::sync::OnceLock;
@@ -46,8 +46,7 @@ pub struct Selector {
 impl Selector {
     /// For many views: with a search tree over planes. O(F log F).
     pub fn for_many_views(scene: &LineScene, progress: &dyn Progress) -> Result<Self, PrepareError> {
-        let options = OptionValues::defaults(ClusterCones::INFO.options);
-        let cones = ClusterCones::prepare(scene.mesh(), &options, progress)?;
+        let cones = ClusterCones::prepare(scene.mesh(), &NoOptions, progress)?;
         Ok(Self { cones: Some(cones), ..Self::default() })
     }
 

@@ -1,7 +1,7 @@
 //! [`Stroke`]: a straight edge to be drawn, whatever it comes from.
 
 use crate::chains::SegmentSource;
-use crate::curves::CurvePart;
+use crate::curve_part::CurvePart;
 use crate::kind::LineKind;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::orientation::turn;

@@ -149,7 +149,7 @@ impl<M: Method> From<EntryBuilder<M>> for Entry {
             fill: views.fill.is_some(),
         };
         let prepare: Arc<PrepareFn> = Arc::new(move |mesh, options, progress| {
-            let method = M::prepare(mesh, options, progress)?;
+            let method = M::prepare(mesh, &M::Options::read(options)?, progress)?;
             Ok(Prepared(Box::new(Seen { method, views })))
         });
         Self { info: const { &M::INFO }, capabilities, prepare }

@@ -6,7 +6,7 @@ use super::stretches::Stretches;
 use super::strokes::strokes;
 use super::visible::{VisibleLine, visible_lines};
 use crate::metrics::Ink;
-use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::method::{NoOptions, PrepareError};
 use silhouette_core::view::Camera;
 use silhouette_core::{Cancelled, ExtractsEdges, ExtractsLoops, Method, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, SilhouetteLoops, Topology};
@@ -83,12 +83,11 @@ impl TruthFinder {
     /// # Errors
     /// [`TruthError::Prepare`].
     pub fn new(mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Self, TruthError> {
-        let options = OptionValues::defaults(BruteForce::INFO.options);
         Ok(Self {
             mesh: Arc::clone(mesh),
             topology: mesh.artefact("truth", progress).map_err(PrepareError::from)?,
             lines: LineFinder::new(LineScene::new(Arc::clone(mesh)), progress)?,
-            oracle: BruteForce::prepare(mesh, &options, progress)?,
+            oracle: BruteForce::prepare(mesh, &NoOptions, progress)?,
         })
     }
 

@@ -1,18 +1,17 @@
 use crate::scenes::{adversarial, prepare, soup, viewpoint, zoo};
 use proptest::prelude::*;
 use silhouette_core::glam::Vec3;
-use silhouette_core::method::OptionValues;
+use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::{
     ExtractsEdges, ExtractsLoops, Method, NoProgress, PreparedMesh, SilhouetteEdges, SilhouetteLoops, TriangleMesh,
     Viewpoint,
 };
-use silhouette_extraction::{BruteForce, Randomized};
+use silhouette_extraction::{BruteForce, Randomized, RandomizedOptions};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-fn randomized(mesh: &Arc<PreparedMesh>, words: &[&str]) -> Randomized {
-    let options = OptionValues::parse(Randomized::INFO.options, words.iter().copied()).unwrap();
-    Randomized::prepare(mesh, &options, &NoProgress).unwrap()
+fn randomized(mesh: &Arc<PreparedMesh>, probes: f64) -> Randomized {
+    Randomized::new(mesh, RandomizedOptions { probes, ..RandomizedOptions::default() }).unwrap()
 }
 
 fn eye(x: f32, y: f32, z: f32) -> Viewpoint {
@@ -23,7 +22,7 @@ fn eye(x: f32, y: f32, z: f32) -> Viewpoint {
 fn check(mesh: TriangleMesh, views: &[Viewpoint]) {
     let mesh = Arc::new(PreparedMesh::new(mesh));
     let mut oracle: BruteForce = prepare(&mesh);
-    let mut method = randomized(&mesh, &["probes=0.2"]);
+    let mut method = randomized(&mesh, 0.2);
     let topology = mesh.artefact::<silhouette_core::Topology>("test", &NoProgress).unwrap();
     let (mut found, mut all, mut loops) = <(SilhouetteEdges, SilhouetteEdges, SilhouetteLoops)>::default();
     for view in views {
@@ -61,7 +60,7 @@ proptest! {
 fn a_loop_once_found_is_followed_without_luck() {
     let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("icosphere:5").unwrap()));
     // One probe a view: it takes many views to hit the outline, none to keep it.
-    let mut method = randomized(&mesh, &["probes=0.00001"]);
+    let mut method = randomized(&mesh, 0.00001);
     let (mut found, mut all) = (SilhouetteEdges::default(), SilhouetteEdges::default());
     let mut oracle: BruteForce = prepare(&mesh);
     let mut misses_before_first_hit = 0;
@@ -82,20 +81,20 @@ fn a_loop_once_found_is_followed_without_luck() {
 #[test]
 fn the_seed_decides() {
     let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:20000").unwrap()));
-    let run = |seed: &str| {
-        let mut method = randomized(&mesh, &["probes=0.01", seed]);
+    let run = |seed| {
+        let mut method = Randomized::new(&mesh, RandomizedOptions { probes: 0.01, seed }).unwrap();
         let mut edges = SilhouetteEdges::default();
         let views = [eye(3.0, 0.0, 0.0), eye(0.0, 3.0, 0.5), eye(0.0, -1.0, 3.0)];
         views.map(|view| (method.extract_edges(&view, &mut edges), edges.clone()))
     };
-    assert_eq!(run("seed=5"), run("seed=5"));
-    assert_ne!(run("seed=5").map(|view| view.0.faces_tested), run("seed=6").map(|view| view.0.faces_tested));
+    assert_eq!(run(5), run(5));
+    assert_ne!(run(5).map(|view| view.0.faces_tested), run(6).map(|view| view.0.faces_tested));
 }
 
 #[test]
-fn far_fewer_faces_are_looked_at() {
+fn far_fewer_faces_are_tested() {
     let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:100000").unwrap()));
-    let mut method = randomized(&mesh, &[]);
+    let mut method = randomized(&mesh, RandomizedOptions::default().probes);
     let (mut found, mut all) = (SilhouetteEdges::default(), SilhouetteEdges::default());
     let stats = method.extract_edges(&eye(3.0, 0.0, 0.0), &mut found);
     prepare::<BruteForce>(&mesh).extract_edges(&eye(3.0, 0.0, 0.0), &mut all);
@@ -106,4 +105,14 @@ fn far_fewer_faces_are_looked_at() {
         found.len(),
         all.len()
     );
+}
+
+#[test]
+fn options_out_of_range_are_refused_before_anything_is_built() {
+    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("cube").unwrap()));
+    for probes in [-0.1, 1.5, f64::NAN] {
+        let error = Randomized::new(&mesh, RandomizedOptions { probes, seed: 1 }).unwrap_err();
+        assert!(matches!(error, PrepareError::Option(OptionError::Value { name: "probes", .. })), "{error}");
+    }
+    assert!(mesh.report().is_empty());
 }

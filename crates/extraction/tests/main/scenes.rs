@@ -2,14 +2,13 @@
 
 use proptest::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::method::OptionValues;
 use silhouette_core::shapes::by_name;
-use silhouette_core::{FaceId, Method, NoProgress, PreparedMesh, TriangleMesh, Viewpoint};
+use silhouette_core::{FaceId, Method, PreparedMesh, TriangleMesh, Viewpoint};
 use std::sync::Arc;
 
 /// A method prepared with its defaults.
 pub fn prepare<M: Method>(mesh: &Arc<PreparedMesh>) -> M {
-    M::prepare(mesh, &OptionValues::defaults(M::INFO.options), &NoProgress).unwrap()
+    M::new(mesh, M::Options::default()).unwrap()
 }
 
 /// The same mesh, scaled, then moved.

@@ -57,7 +57,7 @@ pub struct Renderer {
     buffers: MeshBuffers,
     mesh_binding: Option<MeshBinding>,
     binding: CameraBinding,
-    front: wgpu::RenderPipeline,
+    front: Option<wgpu::RenderPipeline>,
     back: Back,
     extra: Option<ExtraLines>,
     range: Option<ClipRange>,
@@ -149,8 +149,10 @@ impl LineRenderer for Renderer {
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(0, self.binding.bind_group(), &[]);
-        pass.set_pipeline(&self.front);
-        self.buffers.draw(pass);
+        if let Some(front) = &self.front {
+            pass.set_pipeline(front);
+            self.buffers.draw(pass);
+        }
         if self.draws_back_faces {
             self.back.draw(pass, &self.buffers, self.mesh_binding.as_ref());
         }

@@ -2,6 +2,7 @@
 #![cfg(feature = "gpu")]
 
 mod economy;
+mod interior;
 mod scaled;
 mod scene;
 mod variants;

@@ -2,13 +2,12 @@
 
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::mesh::TriangleMesh;
-use silhouette_core::method::{Method, OptionValues};
+use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::prepared::PreparedMesh;
-use silhouette_core::progress::NoProgress;
 use silhouette_core::shapes::Torus;
 use silhouette_core::view::{Camera, ClipRange, Framing, Projection};
 use silhouette_gpu::{DrawsLines, LineRenderer, TargetFormats};
-use silhouette_image_precision::{ImagePrecision, Renderer};
+use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions, Renderer};
 use silhouette_render::{Gpu, Image, Load, Target};
 use std::sync::Arc;
 
@@ -32,9 +31,9 @@ pub fn draw_within(
     formats: TargetFormats,
     range: Option<ClipRange>,
 ) -> Drawn {
-    let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
+    let options = ImagePrecisionOptions::parse(words.iter().copied()).unwrap();
     let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
-    let method = ImagePrecision::prepare(&prepared, &options, &NoProgress).unwrap();
+    let method = ImagePrecision::new(&prepared, options).unwrap();
     let mut renderer = gpu.scoped(|| method.renderer(gpu.device(), gpu.queue(), formats)).unwrap().unwrap();
     renderer.set_clip_range(range);
     renderer.prepare(gpu.device(), gpu.queue(), camera);

@@ -3,13 +3,12 @@
 use crate::scene::{self, Drawn, count, draw, framed, ink, sphere_camera, sphere_radius_px, torus};
 use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::TriangleMesh;
-use silhouette_core::method::{Method, OptionValues};
+use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::prepared::PreparedMesh;
-use silhouette_core::progress::NoProgress;
 use silhouette_core::shapes::{Cuboid, Sphere};
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
 use silhouette_gpu::{DrawsLines, LineRenderer, RendererError, TargetFormats};
-use silhouette_image_precision::ImagePrecision;
+use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions};
 use silhouette_render::{DEFAULT_FORMATS, Gpu, testing::gpu_or_skip};
 use std::sync::Arc;
 use wgpu::TextureFormat::{Depth16Unorm, Depth24Plus, Depth32Float};
@@ -295,9 +294,9 @@ fn polygon_mode_lines_are_drawn_or_the_feature_is_named() {
 }
 
 fn renderer_error(gpu: &Gpu, mesh: &TriangleMesh, words: &[&str]) -> Option<RendererError> {
-    let options = OptionValues::parse(ImagePrecision::INFO.options, words.iter().copied()).unwrap();
+    let options = ImagePrecisionOptions::parse(words.iter().copied()).unwrap();
     let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
-    let method = ImagePrecision::prepare(&prepared, &options, &NoProgress).unwrap();
+    let method = ImagePrecision::new(&prepared, options).unwrap();
     method.renderer(gpu.device(), gpu.queue(), DEFAULT_FORMATS).err()
 }
 
@@ -334,8 +333,8 @@ fn renderers_follow_the_camera() {
     let Some(gpu) = gpu_or_skip("renderers_follow_the_camera") else { return };
     let mesh = torus();
     let words = ["variant=unoriented", "unoriented-lines=screen"];
-    let options = OptionValues::parse(ImagePrecision::INFO.options, words).unwrap();
-    let method = ImagePrecision::prepare(&Arc::new(PreparedMesh::new(mesh.clone())), &options, &NoProgress).unwrap();
+    let options = ImagePrecisionOptions::parse(words).unwrap();
+    let method = ImagePrecision::new(&Arc::new(PreparedMesh::new(mesh.clone())), options).unwrap();
     let mut renderer = method.renderer(gpu.device(), gpu.queue(), DEFAULT_FORMATS).unwrap();
     for size in [64, 128] {
         let camera = framed(&mesh, size);

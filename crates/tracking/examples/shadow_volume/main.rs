@@ -16,7 +16,7 @@ use check::{EdgeCount, LitScene, ShadowCount, Surface, count_edges, count_shadow
 use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh, Viewpoint, load, shapes};
-use silhouette_tracking::{Accuracy, ConnectivityTable, MeshPolicy, TrackedEdges, Tracker, TrackingOptions};
+use silhouette_tracking::{Accuracy, ConnectivityTable, MeshPolicy, TrackedEdges, Tracker, TrackerOptions};
 use std::error::Error;
 use std::io::Write;
 use std::process::ExitCode;
@@ -104,7 +104,7 @@ impl Scene {
     fn tracker(&self) -> Result<Tracker, Box<dyn Error>> {
         // A volume is closed only if no loop is missing.
         let accuracy = Accuracy::Exact;
-        let options = TrackingOptions { accuracy, mesh_policy: MeshPolicy::Cut, ..TrackingOptions::default() };
+        let options = TrackerOptions { accuracy, mesh_policy: MeshPolicy::Cut, ..TrackerOptions::default() };
         Ok(Tracker::new(Arc::clone(&self.mesh), Arc::clone(&self.table), Arc::clone(&self.edges), options)?)
     }
 

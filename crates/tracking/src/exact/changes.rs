@@ -1,6 +1,6 @@
 //! What a face changes by turning.
 
-use super::sides_of;
+use super::sides::sides_of;
 use super::walk::LoopWeaver;
 use crate::connectivity_table::ConnectivityTable;
 use silhouette_core::{FaceFacings, FaceId, HalfEdgeId};

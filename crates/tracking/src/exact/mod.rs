@@ -26,9 +26,9 @@
 
 mod certificates;
 mod changes;
+mod sides;
 mod walk;
 
-use crate::connectivity_table::ConnectivityTable;
 use crate::faces::Surface;
 use crate::identity::Relation;
 use crate::stats::{BruteForceReason, TrackingStats};
@@ -36,7 +36,7 @@ use certificates::Certificates;
 use changes::note_changes;
 use silhouette_core::facing::Facing;
 use silhouette_core::method::ExtractionStats;
-use silhouette_core::{FaceFacings, FaceId, HalfEdgeId, SilhouetteLoops, Viewpoint};
+use silhouette_core::{FaceFacings, FaceId, SilhouetteLoops, Viewpoint};
 use walk::LoopWeaver;
 
 /// The facings, certificates and loops of the last frame, from which those of the next follow.
@@ -138,22 +138,6 @@ impl ExactMode {
         let faces = size_of::<FaceId>() * (self.due.capacity() + self.turned.capacity());
         let heights = size_of::<f64>() * self.heights.capacity();
         self.certificates.bytes() + self.facings.bytes() + faces + heights + self.weaver.bytes()
-    }
-}
-
-/// The two half-edges at a side of a face that are silhouette or were, and whether each is one now.
-fn sides_of(
-    table: &ConnectivityTable,
-    facings: &FaceFacings,
-    half_edge: HalfEdgeId,
-) -> [Option<(HalfEdgeId, bool)>; 2] {
-    let is_front = facings.is_front(half_edge.face());
-    match table.twin(half_edge) {
-        Some(twin) => {
-            let is_front_across = facings.is_front(twin.face());
-            [Some((half_edge, is_front && !is_front_across)), Some((twin, is_front_across && !is_front))]
-        }
-        None => [Some((half_edge, is_front)), None],
     }
 }
 

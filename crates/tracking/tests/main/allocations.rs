@@ -1,6 +1,6 @@
 use crate::scenes::{Scene, options};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, SilhouetteEdges, SilhouetteLoops};
-use silhouette_tracking::{Accuracy, Concavity, ErrorBudget, TestedEdges, Tracking, TrackingOptions};
+use silhouette_tracking::{Accuracy, Concavity, ErrorBudget, TestedEdges, TrackerOptions, Tracking};
 
 #[test]
 fn a_steady_frame_allocates_nothing() {
@@ -8,7 +8,7 @@ fn a_steady_frame_allocates_nothing() {
         let scene = Scene::builtin(name);
         let views: Vec<_> = scene.orbit(1.0, 360).collect();
         let budget = ErrorBudget { missed_share: 0.01, audit_share: 0.2 };
-        let by_accuracy = |accuracy| TrackingOptions { accuracy, ..TrackingOptions::default() };
+        let by_accuracy = |accuracy| TrackerOptions { accuracy, ..TrackerOptions::default() };
         for options in [
             options(0.05, TestedEdges::All),
             options(0.05, TestedEdges::Single),

@@ -2,7 +2,7 @@ use crate::scenes::{Oracle, Scene, ordered};
 use silhouette_core::loops::start_vertex;
 use silhouette_core::topology::Twin;
 use silhouette_core::{FaceFacings, HalfEdgeId};
-use silhouette_tracking::TrackingOptions;
+use silhouette_tracking::TrackerOptions;
 use silhouette_tracking::as_printed::{
     AppendedFace, LoopOrder, PrintedEdge, StopTest, WalkStart, complete_silhouette, find_silhouette_edge,
 };
@@ -80,7 +80,7 @@ fn the_printed_walk_goes_round_for_ever_where_all_faces_are_visible() {
 fn starting_at_the_old_visible_face_takes_more_steps() {
     let scene = Scene::builtin("blob:6000");
     let fly = |walk_start| {
-        let mut tracker = scene.tracker(TrackingOptions { walk_start, ..TrackingOptions::default() });
+        let mut tracker = scene.tracker(TrackerOptions { walk_start, ..TrackerOptions::default() });
         let mut oracle = Oracle::default();
         let (mut walks, mut steps) = (0, 0);
         for view in scene.orbit(0.5, 200) {
@@ -98,8 +98,8 @@ fn starting_at_the_old_visible_face_takes_more_steps() {
 #[test]
 fn the_printed_order_runs_against_the_half_edges() {
     let scene = Scene::builtin("blob:2000");
-    let mut tracker = scene.tracker(TrackingOptions { loop_order: LoopOrder::AsPrinted, ..TrackingOptions::default() });
-    let mut corrected = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions { loop_order: LoopOrder::AsPrinted, ..TrackerOptions::default() });
+    let mut corrected = scene.tracker(TrackerOptions::default());
     for view in scene.orbit(1.0, 20) {
         let expected = corrected.update(&view);
         let printed = tracker.update(&view);

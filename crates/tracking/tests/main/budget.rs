@@ -1,7 +1,7 @@
 use crate::scenes::{Oracle, Scene};
 use silhouette_core::loops::start_vertex;
 use silhouette_core::{SilhouetteLoops, TriangleMesh};
-use silhouette_tracking::{Accuracy, Concavity, ErrorBudget, TrackingOptions};
+use silhouette_tracking::{Accuracy, Concavity, ErrorBudget, TrackerOptions};
 
 fn length(mesh: &TriangleMesh, loops: &SilhouetteLoops) -> f64 {
     let position = |half_edge| mesh.positions()[start_vertex(mesh, half_edge).index()].as_dvec3();
@@ -9,7 +9,7 @@ fn length(mesh: &TriangleMesh, loops: &SilhouetteLoops) -> f64 {
 }
 
 /// Mean share of length that a tracker misses over an orbit, and mean share of faces that it evaluates.
-fn missed_and_evaluated(scene: &Scene, options: TrackingOptions, frames: u32) -> [f64; 2] {
+fn missed_and_evaluated(scene: &Scene, options: TrackerOptions, frames: u32) -> [f64; 2] {
     let mut tracker = scene.tracker(options);
     let mut oracle = Oracle::default();
     let (mut missed, mut evaluated) = (0.0, 0.0);
@@ -26,15 +26,15 @@ fn missed_and_evaluated(scene: &Scene, options: TrackingOptions, frames: u32) ->
     [missed, evaluated].map(|sum| sum / f64::from(frames))
 }
 
-fn budget(missed_share: f32) -> TrackingOptions {
+fn budget(missed_share: f32) -> TrackerOptions {
     let accuracy = Accuracy::Budget(ErrorBudget { missed_share, audit_share: 0.1 });
-    TrackingOptions { accuracy, ..TrackingOptions::default() }
+    TrackerOptions { accuracy, ..TrackerOptions::default() }
 }
 
 #[test]
 fn what_is_missed_stays_in_the_budget_and_pays() {
     let scene = Scene::builtin("blob:8000,0.6");
-    let level = |concavity| missed_and_evaluated(&scene, TrackingOptions { concavity, ..Default::default() }, 1500);
+    let level = |concavity| missed_and_evaluated(&scene, TrackerOptions { concavity, ..Default::default() }, 1500);
     let [missed_at_0, evaluated_at_0] = level(Concavity::Above(0.0));
     let [missed_unsearched, evaluated_unsearched] = level(Concavity::Ignored);
     assert!(missed_at_0.abs() < 1e-12);

@@ -1,9 +1,9 @@
 use crate::scenes::{Scene, ordered, real_meshes};
 use silhouette_core::glam::Vec3;
-use silhouette_core::method::{OptionValues, PrepareError};
+use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::shapes::by_name;
-use silhouette_core::{EdgeId, FaceId, Method, NoProgress, PreparedMesh, TriangleMesh};
-use silhouette_tracking::{DefectKind, MeshPolicy, Tracking, TrackingOptions};
+use silhouette_core::{EdgeId, FaceId, Method, PreparedMesh, TriangleMesh};
+use silhouette_tracking::{DefectKind, MeshPolicy, TrackerOptions, Tracking, TrackingOptions};
 use std::sync::Arc;
 
 /// A blob with a fin on one of its edges, and with one face turned over.
@@ -20,7 +20,7 @@ fn faulty() -> TriangleMesh {
 #[test]
 fn defects_are_refused_by_name() {
     let scene = Scene::new("faulty", faulty());
-    let refusal = scene.try_tracker(TrackingOptions::default()).unwrap_err();
+    let refusal = scene.try_tracker(TrackerOptions::default()).unwrap_err();
     let of_kind = |kind| refusal.defects.iter().filter(move |defect| defect.kind == kind);
     let fin: Vec<_> = of_kind(DefectKind::NonManifold).collect();
     assert_eq!(fin.len(), 1);
@@ -36,11 +36,12 @@ fn defects_are_refused_by_name() {
 #[test]
 fn the_method_passes_the_refusal_on() {
     let mesh = Arc::new(PreparedMesh::new(faulty()));
-    let defaults = OptionValues::defaults(Tracking::INFO.options);
-    let refusal = Tracking::prepare(&mesh, &defaults, &NoProgress).unwrap_err();
+    let refusal = Tracking::new(&mesh, TrackingOptions::default()).unwrap_err();
     assert!(matches!(refusal, PrepareError::Mesh(_)), "{refusal}");
-    let cut = OptionValues::parse(Tracking::INFO.options, ["mesh=cut"]).unwrap();
-    assert!(Tracking::prepare(&mesh, &cut, &NoProgress).is_ok());
+    let cut = TrackingOptions { mesh_policy: MeshPolicy::Cut, ..TrackingOptions::default() };
+    let out_of_range = Tracking::new(&mesh, TrackingOptions { audit_share: 0.0, ..cut }).unwrap_err();
+    assert!(matches!(out_of_range, PrepareError::Option(OptionError::Value { name: "audit-share", .. })));
+    assert!(Tracking::new(&mesh, cut).is_ok());
     let report = mesh.report();
     let asked = report.iter().filter(|artefact| artefact.asked_by.contains(Tracking::INFO.name));
     let mut needs: Vec<_> = asked.map(|artefact| artefact.name).collect();
@@ -50,7 +51,7 @@ fn the_method_passes_the_refusal_on() {
 
 /// On a mesh that was cut, tracking equals brute force on the same cut mesh, and every loop closes.
 fn tracks_when_cut(scene: &Scene) {
-    let mut tracker = scene.tracker(TrackingOptions { mesh_policy: MeshPolicy::Cut, ..TrackingOptions::default() });
+    let mut tracker = scene.tracker(TrackerOptions { mesh_policy: MeshPolicy::Cut, ..TrackerOptions::default() });
     let mut brute_force = scene.brute_force();
     let topology = scene.table.topology();
     for view in scene.orbit(2.0, 90) {

@@ -1,13 +1,12 @@
 use crate::scenes::{Oracle, Random, Scene, ordered, real_meshes, zoo};
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::method::OptionValues;
 use silhouette_core::prepared::Artefact;
-use silhouette_core::{ExtractsEdges, Method, NoProgress, PreparedMesh, SilhouetteEdges, Viewpoint};
-use silhouette_tracking::{Accuracy, BruteForceReason, ExactTracking, TrackedEdges, TrackingOptions};
+use silhouette_core::{ExtractsEdges, Method, NoOptions, PreparedMesh, SilhouetteEdges, Viewpoint};
+use silhouette_tracking::{Accuracy, BruteForceReason, ExactTracking, TrackedEdges, TrackerOptions};
 use std::sync::Arc;
 
-fn exact() -> TrackingOptions {
-    TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() }
+fn exact() -> TrackerOptions {
+    TrackerOptions { accuracy: Accuracy::Exact, ..TrackerOptions::default() }
 }
 
 /// Around, in through the surface and out again, a walk without aim, and a turn of parallel views.
@@ -140,8 +139,7 @@ fn a_moving_mesh_is_followed() {
 #[test]
 fn the_method_prepares_no_more_than_it_says() {
     let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:1000").unwrap()));
-    let options = OptionValues::defaults(ExactTracking::INFO.options);
-    let mut method = ExactTracking::prepare(&mesh, &options, &NoProgress).unwrap();
+    let mut method = ExactTracking::new(&mesh, NoOptions).unwrap();
     let mut edges = SilhouetteEdges::default();
     method.extract_edges(&Viewpoint::Perspective { eye: Vec3::new(3.0, 1.0, 0.0) }, &mut edges);
     assert!(!edges.is_empty());

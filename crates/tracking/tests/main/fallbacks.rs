@@ -1,7 +1,7 @@
 use crate::scenes::{Oracle, Scene, options, ordered, zoo};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{SilhouetteLoops, Viewpoint};
-use silhouette_tracking::{BruteForceReason, Concavity, TestedEdges, Tracker, TrackingOptions};
+use silhouette_tracking::{BruteForceReason, Concavity, TestedEdges, Tracker, TrackerOptions};
 
 fn eye(x: f32, y: f32, z: f32) -> Viewpoint {
     Viewpoint::Perspective { eye: Vec3::new(x, y, z) }
@@ -39,7 +39,7 @@ fn the_same_view_again_is_the_identity_and_walks_nothing() {
 #[test]
 fn reasons_are_told() {
     let scene = Scene::builtin("icosphere:3");
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     assert_eq!(reason(&mut tracker, &eye(3.0, 0.0, 0.0)), Some(BruteForceReason::FirstFrame));
     assert_eq!(reason(&mut tracker, &eye(3.0, 0.1, 0.0)), None);
     assert_eq!(reason(&mut tracker, &eye(-3.0, 0.1, 0.0)), Some(BruteForceReason::Jump));
@@ -53,7 +53,7 @@ fn reasons_are_told() {
     tracker.reset();
     assert!(tracker.loops().is_empty() && tracker.ids().is_empty());
     assert_eq!(reason(&mut tracker, &eye(3.0, 0.0, 0.0)), Some(BruteForceReason::FirstFrame));
-    let mut never = scene.tracker(TrackingOptions { jump: 0.0, ..TrackingOptions::default() });
+    let mut never = scene.tracker(TrackerOptions { jump: 0.0, ..TrackerOptions::default() });
     never.update(&eye(3.0, 0.0, 0.0));
     assert_eq!(reason(&mut never, &eye(3.0, 0.0, 1e-6)), Some(BruteForceReason::Jump));
 }
@@ -62,7 +62,7 @@ fn reasons_are_told() {
 #[test]
 fn an_eye_that_leaves_a_convex_mesh_finds_its_silhouette() {
     let scene = Scene::builtin("icosphere:3");
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     let mut oracle = Oracle::default();
     assert_eq!(scene.edges.concave().len(), 0);
     let mut reasons = Vec::new();
@@ -85,7 +85,7 @@ fn flights_through_a_mesh_equal_brute_force() {
     for name in ["blob:2000,0.6", "torus:40,24", "gear", "grid:20,14", "knot"] {
         let scene = Scene::builtin(name);
         let bounds = scene.mesh.bounds().unwrap();
-        let mut tracker = scene.tracker(TrackingOptions::default());
+        let mut tracker = scene.tracker(TrackerOptions::default());
         let mut oracle = Oracle::default();
         let mut tracked = 0;
         for step in 0..400_u16 {

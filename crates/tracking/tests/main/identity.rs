@@ -2,7 +2,7 @@ use crate::scenes::{Scene, moved, options, together};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::shapes::by_name;
 use silhouette_core::{TriangleMesh, Viewpoint};
-use silhouette_tracking::{Accuracy, LoopEvent, LoopId, TestedEdges, Tracker, TrackingOptions};
+use silhouette_tracking::{Accuracy, LoopEvent, LoopId, TestedEdges, Tracker, TrackerOptions};
 
 fn eye(eye: DVec3) -> Viewpoint {
     Viewpoint::Perspective { eye: eye.as_vec3() }
@@ -27,7 +27,7 @@ fn tally(tracker: &Tracker) -> [usize; 4] {
 fn a_torus_that_turns_merges_its_circles_and_splits_them_again() {
     let scene = Scene::builtin("torus:96,64");
     for accuracy in [Accuracy::Level, Accuracy::Exact] {
-        turn_a_torus(scene.tracker(TrackingOptions { accuracy, ..TrackingOptions::default() }));
+        turn_a_torus(scene.tracker(TrackerOptions { accuracy, ..TrackerOptions::default() }));
     }
 }
 
@@ -90,7 +90,7 @@ fn a_two_lobed_body_splits_and_merges() {
     let scene = Scene::new("dumb-bell", dumbbell());
     assert!(scene.table.defects().is_empty());
     for accuracy in [Accuracy::Level, Accuracy::Exact] {
-        split_and_merge(scene.tracker(TrackingOptions { accuracy, ..TrackingOptions::default() }));
+        split_and_merge(scene.tracker(TrackerOptions { accuracy, ..TrackerOptions::default() }));
     }
 }
 
@@ -141,7 +141,7 @@ fn disjoint_bodies_keep_their_ids() {
 fn the_outline_keeps_its_id_while_small_loops_come_and_go() {
     let scene = Scene::builtin("blob:8000,0.2");
     for accuracy in [Accuracy::Level, Accuracy::Exact] {
-        let mut tracker = scene.tracker(TrackingOptions { accuracy, ..TrackingOptions::default() });
+        let mut tracker = scene.tracker(TrackerOptions { accuracy, ..TrackerOptions::default() });
         let (mut outline, mut changes, mut events) = (None, 0, 0);
         for view in scene.orbit(0.5, 720) {
             tracker.update(&view);

@@ -4,7 +4,7 @@ use silhouette_core::method::ExtractsMovingEdges;
 use silhouette_core::method::PositionsError;
 use silhouette_core::shapes::by_name;
 use silhouette_core::{ExtractsEdges, SilhouetteEdges, TriangleMesh, VertexId, Viewpoint};
-use silhouette_tracking::{BruteForceReason, Tracking, TrackingOptions};
+use silhouette_tracking::{BruteForceReason, TrackerOptions, Tracking};
 
 /// A twist that grows with time.
 fn twisted(mesh: &TriangleMesh, time: f32) -> Vec<Vec3> {
@@ -18,7 +18,7 @@ fn twisted(mesh: &TriangleMesh, time: f32) -> Vec<Vec3> {
 #[test]
 fn a_mesh_that_moves_equals_brute_force_in_each_frame() {
     for scene in zoo() {
-        let mut tracker = scene.tracker(TrackingOptions::default());
+        let mut tracker = scene.tracker(TrackerOptions::default());
         let mut oracle = Oracle::default();
         let mut tracked = 0;
         for (frame, view) in scene.orbit(0.5, 60).enumerate() {
@@ -39,7 +39,7 @@ fn a_mesh_that_moves_equals_brute_force_in_each_frame() {
 #[test]
 fn a_mesh_that_may_have_passed_the_eye_is_found_anew() {
     let scene = Scene::builtin("icosphere:3");
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     let mut oracle = Oracle::default();
     let view = scene.view(silhouette_core::glam::DVec3::X, 3.0);
     for step in 0..60_u8 {
@@ -55,7 +55,7 @@ fn a_mesh_that_may_have_passed_the_eye_is_found_anew() {
 #[test]
 fn positions_that_do_not_fit_are_refused_and_change_nothing() {
     let scene = Scene::builtin("blob:500");
-    let mut method = Tracking::from(scene.tracker(TrackingOptions::default()));
+    let mut method = Tracking::from(scene.tracker(TrackerOptions::default()));
     let view = scene.orbit(0.0, 1).next().unwrap();
     let (mut before, mut after) = (SilhouetteEdges::default(), SilhouetteEdges::default());
     method.extract_edges(&view, &mut before);
@@ -76,7 +76,7 @@ fn positions_that_do_not_fit_are_refused_and_change_nothing() {
 fn a_body_that_passes_a_resting_eye_is_noticed() {
     let ball = by_name("icosphere:3").unwrap();
     let scene = Scene::new("two balls", together(&[moved(&ball, Vec3::new(6.0, 0.0, 0.0)), ball.clone()]));
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     let view = Viewpoint::Perspective { eye: Vec3::new(0.1, 0.2, 0.05) };
     assert_eq!(tracker.update(&view).len(), 1, "of the ball around the eye nothing is seen");
     let first = ball.vertex_count();

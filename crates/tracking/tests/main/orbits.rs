@@ -1,7 +1,7 @@
 use crate::scenes::{Oracle, Scene, options, ordered, real_meshes, zoo};
 use silhouette_core::loops::start_vertex;
 use silhouette_core::{SilhouetteLoops, Topology, TriangleMesh, Viewpoint};
-use silhouette_tracking::{BruteForceReason, Concavity, TestedEdges, TrackingOptions};
+use silhouette_tracking::{BruteForceReason, Concavity, TestedEdges, TrackerOptions};
 use std::collections::BTreeSet;
 
 /// Closed, oriented, no half-edge twice.
@@ -23,7 +23,7 @@ fn assert_well_formed(mesh: &TriangleMesh, loops: &SilhouetteLoops, context: &st
 /// Tracks an orbit at level 0 with all edges tested; every frame must equal the oracle's. Yields how many frames after
 /// the first were found by brute force though there was something to track.
 fn equals_brute_force(scene: &Scene, views: impl Iterator<Item = Viewpoint>) -> usize {
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     let topology = scene.table.topology();
     let mut oracle = Oracle::default();
     let mut fresh_frames = 0;
@@ -78,7 +78,7 @@ fn level_0_equals_brute_force_on_real_meshes() {
 fn without_concave_edges_new_loops_are_missed() {
     let scene = Scene::builtin("blob:3000");
     let missed = |concavity| {
-        let mut tracker = scene.tracker(TrackingOptions { concavity, ..TrackingOptions::default() });
+        let mut tracker = scene.tracker(TrackerOptions { concavity, ..TrackerOptions::default() });
         let mut oracle = Oracle::default();
         let missed = |view| {
             let all = oracle.look(&scene.mesh, scene.table.topology(), &view).half_edges().len();

@@ -8,7 +8,7 @@ use silhouette_core::{
 };
 use silhouette_tracking::{
     BruteForce, Concavity, ConnectivityTable, MeshPolicy, NotTrackable, TestedEdges, TrackedEdges, Tracker,
-    TrackingOptions,
+    TrackerOptions,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -33,12 +33,12 @@ impl Scene {
         Self::new(name, by_name(name).unwrap_or_else(|error| panic!("{name}: {error}")))
     }
 
-    pub fn try_tracker(&self, options: TrackingOptions) -> Result<Tracker, NotTrackable> {
+    pub fn try_tracker(&self, options: TrackerOptions) -> Result<Tracker, NotTrackable> {
         Tracker::new(Arc::clone(&self.mesh), Arc::clone(&self.table), Arc::clone(&self.edges), options)
     }
 
-    pub fn tracker(&self, options: TrackingOptions) -> Tracker {
-        self.try_tracker(TrackingOptions { mesh_policy: MeshPolicy::Cut, ..options }).unwrap()
+    pub fn tracker(&self, options: TrackerOptions) -> Tracker {
+        self.try_tracker(TrackerOptions { mesh_policy: MeshPolicy::Cut, ..options }).unwrap()
     }
 
     pub fn brute_force(&self) -> BruteForce {
@@ -62,8 +62,8 @@ impl Scene {
 }
 
 /// Options with a level and a number of tested edges.
-pub fn options(level_rad: f32, tested_edges: TestedEdges) -> TrackingOptions {
-    TrackingOptions { concavity: Concavity::Above(level_rad), tested_edges, ..TrackingOptions::default() }
+pub fn options(level_rad: f32, tested_edges: TestedEdges) -> TrackerOptions {
+    TrackerOptions { concavity: Concavity::Above(level_rad), tested_edges, ..TrackerOptions::default() }
 }
 
 /// All silhouette loops of a view: every face by the exact predicate, every edge, then the core's walker.

@@ -2,7 +2,7 @@ use crate::scenes::{Random, Scene, ordered, real_meshes, zoo};
 use proptest::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{FaceId, TriangleMesh, Viewpoint};
-use silhouette_tracking::{Concavity, TestedEdges, TrackingOptions};
+use silhouette_tracking::{Concavity, TestedEdges, TrackerOptions};
 
 /// A view that is hard to get right: far, near, inside, on a vertex, an edge or a face, in a plane, or no view at all;
 /// or, half the time, a small step from the last one.
@@ -38,7 +38,7 @@ fn next_view(scene: &Scene, random: &mut Random, last: &Viewpoint) -> Viewpoint 
 /// Random updates; whatever is found is silhouette, no walk takes more than it may, memory does not grow.
 fn stress(scene: &Scene, updates: u32, seed: u64) {
     let mut random = Random(seed);
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     let mut brute_force = scene.brute_force();
     let mut view = Viewpoint::Perspective { eye: Vec3::ONE };
     let topology = scene.table.topology();
@@ -97,7 +97,7 @@ fn random_updates_of_real_meshes() {
 #[test]
 fn a_mesh_without_faces_has_no_silhouette() {
     let scene = Scene::new("empty", TriangleMesh::new(vec![Vec3::ONE], vec![]).unwrap());
-    let mut tracker = scene.tracker(TrackingOptions::default());
+    let mut tracker = scene.tracker(TrackerOptions::default());
     for eye in [Vec3::ZERO, Vec3::X, Vec3::NAN] {
         assert!(tracker.update(&Viewpoint::Perspective { eye }).is_empty());
     }
@@ -117,7 +117,7 @@ proptest! {
         let positions = positions.into_iter().map(|p| Vec3::from(p.map(f32::from))).collect();
         let scene = Scene::new("soup", TriangleMesh::new(positions, triangles).unwrap());
         let tested_edges = if single { TestedEdges::Single } else { TestedEdges::All };
-        let mut tracker = scene.tracker(TrackingOptions { tested_edges, jump: 100.0, ..TrackingOptions::default() });
+        let mut tracker = scene.tracker(TrackerOptions { tested_edges, jump: 100.0, ..TrackerOptions::default() });
         let mut brute_force = scene.brute_force();
         for (point, is_eye) in eyes {
             let point = Vec3::from(point.map(f32::from));

@@ -25,8 +25,8 @@ mod window;
 
 use self::lattice::{Point, pixel};
 use crate::contours::Contour;
-use crate::finder::LineError;
 use crate::frame::PictureFrame;
+use crate::line_error::LineError;
 use crate::scene::Extent;
 use crate::viewed_mesh::ViewedMesh;
 use silhouette_core::Progress;

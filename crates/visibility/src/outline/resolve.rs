@@ -15,7 +15,7 @@
 use super::arrangement::Arrangement;
 use super::chain_map::{ChainMap, Part};
 use super::lattice::DirectedEdge;
-use crate::finder::LineError;
+use crate::line_error::LineError;
 use rayon::prelude::*;
 
 /// Edges in a cell up to which it is looked at them one by one.

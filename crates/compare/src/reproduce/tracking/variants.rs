@@ -5,8 +5,7 @@ use crate::registry::{self, EdgeMethod, Prepared};
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint};
 use silhouette_tracking::{
-    Accuracy, BruteForce, Concavity, ConnectivityTable, ErrorBudget, TestedEdges, TrackedEdges, Tracker,
-    TrackingOptions,
+    Accuracy, BruteForce, Concavity, ConnectivityTable, ErrorBudget, TestedEdges, TrackedEdges, Tracker, TrackerOptions,
 };
 use std::sync::Arc;
 
@@ -94,12 +93,12 @@ impl Variant {
             Self::BruteForce | Self::BruteForceInFours => None,
             Self::Level(level, tested_edges) => {
                 let concavity = level.map_or(Concavity::Ignored, Concavity::Above);
-                Some(TrackingOptions { concavity, tested_edges, ..TrackingOptions::default() })
+                Some(TrackerOptions { concavity, tested_edges, ..TrackerOptions::default() })
             }
-            Self::Exact => Some(TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() }),
+            Self::Exact => Some(TrackerOptions { accuracy: Accuracy::Exact, ..TrackerOptions::default() }),
             Self::Budget => {
                 let accuracy = Accuracy::Budget(ErrorBudget { missed_share: BUDGET, audit_share: 0.1 });
-                Some(TrackingOptions { accuracy, ..TrackingOptions::default() })
+                Some(TrackerOptions { accuracy, ..TrackerOptions::default() })
             }
         };
         let table = mesh.artefact::<ConnectivityTable>("reproduce tracking", progress)?;
