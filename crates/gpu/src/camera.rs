@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn the_uniform_is_laid_out_as_its_wgsl_twin() {
         let members = [("to_clip", offset_of!(CameraUniform, to_clip))];
-        let stage = silhouette_shaders::render::FILL;
+        let stage = silhouette_shaders::gpu::FILL;
         assert!(layout::matches(stage, "CameraUniform", size_of::<CameraUniform>(), &members));
     }
 }

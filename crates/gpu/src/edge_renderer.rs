@@ -41,6 +41,11 @@ impl<E: ExtractsEdges> EdgeRenderer<E> {
         self.stats
     }
 
+    /// The strokes, to set what hides them.
+    pub fn strokes_mut(&mut self) -> &mut StrokeRenderer {
+        &mut self.strokes
+    }
+
     /// The method.
     pub fn extractor(&self) -> &E {
         &self.extractor
@@ -63,12 +68,7 @@ impl<E: ExtractsMovingEdges> EdgeRenderer<E> {
 }
 
 impl<E: ExtractsEdges> FrameRenderer for EdgeRenderer<E> {
-    fn prepare(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        view: &FrameView,
-    ) -> Result<(), RendererError> {
+    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, view: &FrameView) -> Result<(), RendererError> {
         self.stats = self.extractor.extract_edges(&view.viewpoint(), &mut self.edges);
         let positions = if self.moved.is_empty() { self.mesh.positions() } else { &self.moved };
         let position = |vertex: VertexId| positions[vertex.index()].as_dvec3();

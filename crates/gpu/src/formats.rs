@@ -1,18 +1,20 @@
 //! [`TargetFormats`]: what a renderer must know of the pass that it draws into.
 
+use crate::frame_view::FrameView;
+use crate::renderer_error::RendererError;
 use silhouette_core::view::DepthDirection;
 use wgpu::CompareFunction;
 
 /// The attachments of the render pass that a renderer draws into.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct TargetFormats {
-    /// Format of the only colour attachment, cleared to the paper's colour.
+    /// Format of the only colour attachment; colours are premultiplied by alpha ([`is_linear`](Self::is_linear) says in which space).
     pub color: wgpu::TextureFormat,
     /// Format of the depth attachment, cleared to [`clear_depth`](Self::clear_depth).
     pub depth: wgpu::TextureFormat,
     /// Which end of the depth buffer is near.
     pub depth_direction: DepthDirection,
-    /// Samples a pixel of both attachments.
+    /// Samples per pixel of both attachments.
     pub samples: u32,
 }
 
@@ -50,6 +52,31 @@ impl TargetFormats {
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }
+    }
+
+    /// The depth state of a pipeline that neither tests nor writes depth.
+    pub fn untested_depth_state(&self) -> wgpu::DepthStencilState {
+        wgpu::DepthStencilState { depth_write_enabled: Some(false), ..self.depth_state(CompareFunction::Always) }
+    }
+
+    /// Whether fragments yield linear light: for formats that the hardware encodes (`...Srgb`), and for floats. Other formats
+    /// store sRGB-encoded values as they are.
+    pub fn is_linear(&self) -> bool {
+        use wgpu::TextureFormat::{R16Float, R32Float, Rg11b10Ufloat, Rg16Float, Rg32Float, Rgba16Float, Rgba32Float};
+        let is_float = matches!(
+            self.color,
+            R16Float | R32Float | Rg11b10Ufloat | Rg16Float | Rg32Float | Rgba16Float | Rgba32Float
+        );
+        is_float || self.color.is_srgb()
+    }
+
+    /// Whether `view` was made for a depth buffer like this one.
+    ///
+    /// # Errors
+    /// [`RendererError::DepthDirection`].
+    pub fn check(&self, view: &FrameView) -> Result<(), RendererError> {
+        let (target, view) = (self.depth_direction, view.depth_direction());
+        if target == view { Ok(()) } else { Err(RendererError::DepthDirection { target, view }) }
     }
 
     /// The multisample state of a pipeline.

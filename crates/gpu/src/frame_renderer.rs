@@ -18,12 +18,7 @@ pub trait FrameRenderer: Send {
     ///
     /// # Errors
     /// [`RendererError`]: the view's depth direction is not the target's, or the device has no room for what the view needs.
-    fn prepare(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        view: &FrameView,
-    ) -> Result<(), RendererError>;
+    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, view: &FrameView) -> Result<(), RendererError>;
 
     /// Records what the view last prepared needs before its render pass: compute passes, and render passes into textures of
     /// the renderer's own. Nothing, unless a renderer says so.

@@ -19,6 +19,12 @@ impl Viewport {
     pub const fn whole(size_px: [u32; 2]) -> Self {
         Self { origin_px: [0, 0], size_px }
     }
+
+    /// Makes it the viewport of a pass, for all depths.
+    pub fn set(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let ([x, y], [width, height]) = (self.origin_px.map(|side| side as f32), self.size_px.map(|side| side as f32));
+        pass.set_viewport(x, y, width, height, 0.0, 1.0);
+    }
 }
 
 /// What a renderer draws for: view, projection and model matrix, and the viewport.

@@ -1,72 +1,78 @@
 //! The drawing convention between a silhouette method and a wgpu application.
 //!
 //! A method's renderer is middleware: it creates no device, owns no window, submits nothing and reads nothing back.
-//! The application calls [`LineRenderer::prepare`] once a frame, which uploads what changed, then
-//! [`LineRenderer::encode`] with its encoder, begins a render pass whose attachments match [`TargetFormats`], cleared as
-//! [`TargetFormats`] says, and calls [`LineRenderer::draw`].
 //!
-//! Beside the convention lies what every renderer of a mesh needs: [`MeshBuffers`] and [`CameraUniform`], both relative
-//! to a [`LocalFrame`], so that a mesh far from the origin is drawn as sharply as one at the origin.
+//! 1. Once per device and formats, a method makes its [pipelines](DrawsLines::pipelines); once per mesh, there are
+//!    [`MeshBuffers`]; once per instance in a scene, a [renderer](DrawsLines::renderer) shares both.
+//! 2. Once per frame, the application makes a [`FrameView`], from a camera or from its own matrices, and calls
+//!    [`FrameRenderer::prepare`], which uploads what changed, [`FrameRenderer::encode`] with its encoder, and, in a render pass whose
+//!    attachments match [`TargetFormats`], [`FrameRenderer::draw`].
+//!
+//! ```no_run
+//! use silhouette_core::glam::DMat4;
+//! use silhouette_core::view::DepthDirection;
+//! use silhouette_gpu::{FrameRenderer, FrameView, Viewport};
+//!
+//! # fn frame(
+//! #     device: &wgpu::Device, queue: &wgpu::Queue, view: DMat4, projection: DMat4, model: DMat4,
+//! #     renderer: &mut dyn FrameRenderer,
+//! # ) -> Result<(), Box<dyn std::error::Error>> {
+//! # let descriptor = wgpu::RenderPassDescriptor::default();
+//! let viewport = Viewport::whole([1920, 1080]);
+//! let view = FrameView::from_matrices(view, projection, DepthDirection::Reversed, viewport)?.with_model(model)?;
+//! renderer.prepare(device, queue, &view)?;
+//! let mut encoder = device.create_command_encoder(&Default::default());
+//! renderer.encode(&mut encoder);
+//! let mut pass = encoder.begin_render_pass(&descriptor); // the application's own, with its own drawing
+//! renderer.draw(&mut pass);
+//! drop(pass);
+//! queue.submit([encoder.finish()]);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The example `engine` draws two objects in passes of its own. Colours are [sRGB as displayed](Color), blended premultiplied; a
+//! target takes them [as linear light or as they are](TargetFormats::is_linear).
+//!
+//! Beside the convention lies what renderers share: [`StrokeRenderer`] for polylines and [`EdgeRenderer`] for edges found on the
+//! CPU, [`FillRenderer`] for the mesh itself, [`LinePolygon`] for lines that a vertex stage expands, the [`kit`] of pipelines and
+//! bindings. Positions on the device are relative to a [`LocalFrame`], so that a mesh far from the origin is drawn as sharply as
+//! one at the origin.
 
 mod camera;
+pub mod color;
 mod depth_law;
+mod edge_renderer;
+mod fill;
 mod formats;
+mod frame_renderer;
 mod frame_view;
 mod frame_view_error;
+pub mod kit;
+mod line_polygon;
 mod local_frame;
 mod mesh_binding;
 mod mesh_buffers;
 mod pen;
 mod renderer_error;
+mod strokes;
 
 pub use camera::{CameraBinding, CameraUniform};
+pub use color::Color;
 pub use depth_law::DepthLaw;
+pub use edge_renderer::EdgeRenderer;
+pub use fill::{Cull, FillPipelines, FillRenderer, FillStyle, Shade};
 pub use formats::TargetFormats;
+pub use frame_renderer::{DrawsLines, FillsImage, FrameRenderer};
 pub use frame_view::{FrameView, Viewport};
 pub use frame_view_error::FrameViewError;
+pub use line_polygon::{LinePolygon, LineShape, Rounding};
 pub use local_frame::LocalFrame;
 pub use mesh_binding::MeshBinding;
-pub use mesh_buffers::{MeshBuffers, MeshTooLarge, POSITION_LAYOUT};
+pub use mesh_buffers::{MeshBuffers, MeshTooLarge, POSITION_LAYOUT, PositionBufferError};
 pub use pen::{Pen, PenPlacement};
 pub use renderer_error::RendererError;
-
-use silhouette_core::method::Method;
-use silhouette_core::view::Camera;
-
-/// A method that draws the lines of a view itself.
-pub trait DrawsLines: Method {
-    /// Its renderer on a device.
-    type Renderer: LineRenderer + 'static;
-
-    /// On which side of the true line its ink lies.
-    fn pen_placement(&self) -> PenPlacement;
-
-    /// Uploads the mesh and builds the pipelines.
-    ///
-    /// # Errors
-    /// [`RendererError`]: the mesh is too large for the device, or the device lacks what the options ask for.
-    fn renderer(
-        &self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        formats: TargetFormats,
-    ) -> Result<Self::Renderer, RendererError>;
-}
-
-/// Draws the lines of a view into somebody's render pass.
-pub trait LineRenderer: Send {
-    /// Uploads what changed since the last call. The viewport of `camera` is the whole target.
-    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, camera: &Camera);
-
-    /// Records what the view last prepared needs before its render pass: compute passes, and render passes into textures of
-    /// the renderer's own. Nothing, unless a renderer says so.
-    fn encode(&self, _encoder: &mut wgpu::CommandEncoder) {}
-
-    /// What the user should know of the view last prepared: why its lines may be wrong, and what to choose instead.
-    fn warning(&self) -> Option<String> {
-        None
-    }
-
-    /// Records the draws of the view last prepared, in the render pass after [`encode`](Self::encode).
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>);
-}
+pub use strokes::{
+    Cap, DepthScale, Hidden, Interior, Join, Polylines, Projector, SceneDepth, ScreenSegment, StrokePipelines,
+    StrokeRenderer, StrokeStyle,
+};

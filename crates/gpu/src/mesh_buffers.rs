@@ -237,9 +237,6 @@ mod tests {
     #[test]
     fn a_mesh_beyond_the_largest_buffer_is_refused() {
         assert_eq!(buffer_bytes("positions", 20, 240), Ok(240));
-        assert_eq!(
-            buffer_bytes("triangles", 20, 239),
-            Err(MeshTooLarge { what: "triangles", bytes: 240, limit: 239 })
-        );
+        assert_eq!(buffer_bytes("triangles", 20, 239), Err(MeshTooLarge { what: "triangles", bytes: 240, limit: 239 }));
     }
 }

@@ -1,8 +1,10 @@
-//! [`RendererError`]: why a renderer cannot be made on a device.
+//! [`RendererError`]: why a renderer cannot be made on a device, or a view prepared.
 
-use crate::MeshTooLarge;
+use crate::frame_view_error::FrameViewError;
+use crate::mesh_buffers::MeshTooLarge;
+use silhouette_core::view::DepthDirection;
 
-/// Why a renderer cannot be made.
+/// Why a renderer cannot be made, or a view prepared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RendererError {
@@ -19,4 +21,15 @@ pub enum RendererError {
         /// What to choose instead, as a clause.
         instead: &'static str,
     },
+    /// The view's projection fills the depth buffer from the other end than the target says.
+    #[error("the view's depth is {view:?}, the target's {target:?}; make both the same")]
+    DepthDirection {
+        /// Direction of the target.
+        target: DepthDirection,
+        /// Direction of the view.
+        view: DepthDirection,
+    },
+    /// A view derived from the caller's cannot be made.
+    #[error(transparent)]
+    View(#[from] FrameViewError),
 }

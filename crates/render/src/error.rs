@@ -1,7 +1,7 @@
 //! [`GpuError`]: everything that can go wrong between here and a GPU.
 
-use crate::adapter::AdapterChoice;
-use silhouette_gpu::MeshTooLarge;
+use crate::adapter_choice::AdapterChoice;
+use silhouette_gpu::{FrameViewError, MeshTooLarge, RendererError};
 
 /// What went wrong on the way to the GPU or on it. Nothing here is a panic.
 #[derive(Debug, thiserror::Error)]
@@ -63,10 +63,16 @@ pub enum GpuError {
     /// The mesh does not fit a buffer.
     #[error(transparent)]
     MeshTooLarge(#[from] MeshTooLarge),
-    /// Depth was asked of a target with several samples a pixel.
-    #[error("depth can be used from targets with 1 sample a pixel; this one has {samples}")]
+    /// A renderer could not be made, or a view not be prepared.
+    #[error(transparent)]
+    Renderer(#[from] RendererError),
+    /// A camera makes no view.
+    #[error(transparent)]
+    View(#[from] FrameViewError),
+    /// Depth was asked of a target with several samples per pixel.
+    #[error("depth can be used from targets with 1 sample per pixel; this one has {samples}")]
     MultisampledDepth {
-        /// Samples a pixel of the target.
+        /// Samples per pixel of the target.
         samples: u32,
     },
     /// A sample count other than 1 and 4, or a supersampling outside 1 to 16.

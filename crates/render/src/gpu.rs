@@ -1,8 +1,9 @@
 //! [`Gpu`]: a device whose errors come back as values.
 
-use crate::adapter::{self, AdapterChoice, AdapterDescription};
+use crate::adapter::{self, AdapterDescription};
+use crate::adapter_choice::AdapterChoice;
+use crate::depth_readback::DepthReader;
 use crate::error::GpuError;
-use crate::read_back::DepthReader;
 use crate::timestamps::Timestamps;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -12,8 +13,10 @@ use std::time::Duration;
 /// 16384 x 16384 image with depth and its read-back.
 pub const DEFAULT_MEMORY_BUDGET: u64 = 4 << 30;
 
-/// Features that are used where the adapter has them: to time passes, and for methods that draw the adapter's own lines.
-const WANTED_FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::POLYGON_MODE_LINE);
+/// Features that are used where the adapter has them: to time submissions, and for methods that draw the adapter's own lines.
+const WANTED_FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY
+    .union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS)
+    .union(wgpu::Features::POLYGON_MODE_LINE);
 
 /// How long a submit may take. On a software adapter the largest reference tile takes seconds; more is a hang.
 const TIMEOUT: Duration = Duration::from_secs(300);

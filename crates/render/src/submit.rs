@@ -11,16 +11,17 @@ use std::time::Instant;
 pub enum Load {
     /// This colour (as the format stores it for `Unorm`, linear for `Srgb`) and the farthest depth.
     Clear([f64; 4]),
-    /// What the pass before left.
+    /// What the previous pass left.
     Keep,
 }
 
-/// How long a pass took.
+/// How long a submission took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassTime {
-    /// Between the pass's begin and end on the device, in milliseconds; `None` where the adapter cannot tell.
+    /// On the device from the first command to the last, in milliseconds: whatever comes before the pass included, except on
+    /// adapters that can time passes alone. `None` where the adapter has no timestamps.
     pub gpu_ms: Option<f64>,
-    /// From recording until the device was done, in milliseconds.
+    /// From recording until the device was done, in milliseconds; timestamps are read back after that.
     pub wall_ms: f64,
 }
 
@@ -38,8 +39,7 @@ impl Gpu {
         self.draw_after(target, load, |_| {}, record)
     }
 
-    /// As [`draw`](Self::draw), with what `encode` records before the pass in the same submission, and outside of the
-    /// pass's own time.
+    /// As [`draw`](Self::draw), with what `encode` records before the pass in the same submission.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -65,8 +65,7 @@ impl Gpu {
         self.submit_pass(&[Some(target.color_attachment(color))], Some(depth_attachment), encode, record)
     }
 
-    /// As [`draw`](Self::draw), over the colour alone, which is kept: for a [`LinePass`](crate::LinePass), which reads
-    /// the depth that [`draw`](Self::draw) left.
+    /// As [`draw`](Self::draw), over the colour alone, which is kept.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -89,11 +88,14 @@ impl Gpu {
         let start = Instant::now();
         let submission = self.scoped(|| {
             let mut encoder = self.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            if let Some(timestamps) = timestamps.as_deref() {
+                timestamps.begin(&mut encoder);
+            }
             encode(&mut encoder);
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 color_attachments,
                 depth_stencil_attachment,
-                timestamp_writes: timestamps.as_deref().map(Timestamps::writes),
+                timestamp_writes: timestamps.as_deref().and_then(Timestamps::of_pass),
                 ..Default::default()
             });
             record(&mut pass);
@@ -105,7 +107,8 @@ impl Gpu {
         })?;
         self.wait(submission)?;
         let wall_ms = start.elapsed().as_secs_f64() * 1e3;
-        let gpu_ms = timestamps.as_deref().map(|timestamps| timestamps.read_ms(self)).transpose()?;
+        let read = |timestamps: &Timestamps| self.read_buffer(timestamps.readable(), |b| timestamps.elapsed_ms(b));
+        let gpu_ms = timestamps.as_deref().map(read).transpose()?;
         Ok(PassTime { gpu_ms, wall_ms })
     }
 }

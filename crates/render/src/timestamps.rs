@@ -1,16 +1,17 @@
-//! Timestamps at the beginning and the end of a pass, allocated once for a device.
+//! [`Timestamps`]: when a pass begins and ends on the device.
 
-use crate::error::GpuError;
-use crate::gpu::Gpu;
-
+/// Bytes of the two values.
 const BYTES: u64 = 16;
 
+/// Two timestamp queries with their buffers, allocated once per device.
 #[derive(Debug)]
 pub(crate) struct Timestamps {
     queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     readable: wgpu::Buffer,
     ns_per_tick: f64,
+    /// Whether the device can write timestamps between passes.
+    between_passes: bool,
 }
 
 impl Timestamps {
@@ -25,36 +26,51 @@ impl Timestamps {
         };
         Self {
             queries: device.create_query_set(&wgpu::QuerySetDescriptor {
-                label: Some("pass begin and end"),
+                label: Some("begin and end of a submission"),
                 ty: wgpu::QueryType::Timestamp,
                 count: 2,
             }),
             resolved: buffer("timestamps", wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
             readable: buffer("timestamps to read", wgpu::BufferUsages::MAP_READ),
             ns_per_tick: f64::from(queue.get_timestamp_period()),
+            between_passes: device.features().contains(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS),
         }
     }
 
-    pub(crate) fn writes(&self) -> wgpu::RenderPassTimestampWrites<'_> {
-        wgpu::RenderPassTimestampWrites {
+    /// Records the first value, ahead of all commands.
+    pub(crate) fn begin(&self, encoder: &mut wgpu::CommandEncoder) {
+        if self.between_passes {
+            encoder.write_timestamp(&self.queries, 0);
+        }
+    }
+
+    /// What the last pass of a submission writes: both values where the device cannot write them between passes.
+    pub(crate) fn of_pass(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        (!self.between_passes).then_some(wgpu::RenderPassTimestampWrites {
             query_set: &self.queries,
             beginning_of_pass_write_index: Some(0),
             end_of_pass_write_index: Some(1),
-        }
+        })
     }
 
-    /// Copies the two values to where [`read_ms`](Self::read_ms) finds them.
+    /// Records the last value and copies both into [`readable`](Self::readable).
     pub(crate) fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
+        if self.between_passes {
+            encoder.write_timestamp(&self.queries, 1);
+        }
         encoder.resolve_query_set(&self.queries, 0..2, &self.resolved, 0);
         encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, BYTES);
     }
 
-    /// Milliseconds between the two, once the submission is done.
-    pub(crate) fn read_ms(&self, gpu: &Gpu) -> Result<f64, GpuError> {
-        let ticks = gpu.read_buffer(&self.readable, |bytes| {
-            let tick = |i: usize| u64::from_le_bytes(std::array::from_fn(|k| bytes[8 * i + k]));
-            tick(1).saturating_sub(tick(0))
-        })?;
-        Ok(ticks as f64 * self.ns_per_tick * 1e-6)
+    /// The buffer to map once the submission is done.
+    pub(crate) fn readable(&self) -> &wgpu::Buffer {
+        &self.readable
+    }
+
+    /// Milliseconds between the two values, from the content of [`readable`](Self::readable).
+    pub(crate) fn elapsed_ms(&self, bytes: &[u8]) -> f64 {
+        let mut ticks = bytes.chunks_exact(8).map(|value| u64::from_le_bytes(std::array::from_fn(|i| value[i])));
+        let [begin, end] = [ticks.next().unwrap_or(0), ticks.next().unwrap_or(0)];
+        end.saturating_sub(begin) as f64 * self.ns_per_tick * 1e-6
     }
 }

@@ -1,6 +1,7 @@
 //! Two objects and a camera, as matrices.
 
 use crate::device::Device;
+use silhouette_core::glam::dcamera::rh::{proj, view};
 use silhouette_core::glam::{DMat4, DQuat, DVec3, Mat4};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::DepthDirection;
@@ -65,15 +66,16 @@ impl Scene {
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
         });
-        let entry = |binding, buffer| wgpu::BindGroupEntry { binding, resource: wgpu::Buffer::as_entire_binding(buffer) };
+        let entry =
+            |binding, buffer| wgpu::BindGroupEntry { binding, resource: wgpu::Buffer::as_entire_binding(buffer) };
         let sway_group = device.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sway"),
             layout: &sway.get_bind_group_layout(0),
             entries: &[entry(0, &time), entry(1, &rest), entry(2, &knot.positions)],
         });
-        let view = DMat4::look_at_rh(DVec3::new(0.3, 1.8, 6.0), DVec3::ZERO, DVec3::Y);
+        let view = view::look_at_mat4(DVec3::new(0.3, 1.8, 6.0), DVec3::ZERO, DVec3::Y);
         let aspect = f64::from(SIZE[0]) / f64::from(SIZE[1]);
-        let projection = DMat4::perspective_infinite_reverse_rh(0.7, aspect, NEAR);
+        let projection = proj::directx::perspective_infinite_reverse(0.7, aspect, NEAR);
         Ok(Self { objects: [torus, knot], rest, time, sway, sway_group, view, projection })
     }
 

@@ -5,7 +5,7 @@ use crate::device::Device;
 use crate::frame::{Frame, Shown};
 
 fn engine(test: &str) -> Option<Device> {
-    silhouette_testing::gpu_or_skip(test)?;
+    silhouette_render::testing::gpu_or_skip(test)?;
     Some(Device::new().unwrap())
 }
 
@@ -35,9 +35,11 @@ fn interiors_of_lines_alone_are_transparent() {
     let Some(device) = engine("interiors_of_lines_alone_are_transparent") else { return };
     for color in COLORS {
         let mut frame = Frame::new(&device, color).unwrap();
-        let [shading, lines] = [Shown::Shading, Shown::Lines].map(|shown| frame.draw(&device, shown, 0.4).unwrap().texels);
+        let [shading, lines] =
+            [Shown::Shading, Shown::Lines].map(|shown| frame.draw(&device, shown, 0.4).unwrap().texels);
         let on_objects = shading.iter().zip(&lines).filter(|(shaded, _)| shaded[..3].iter().any(|part| *part < 0.99));
-        let (all, clear) = on_objects.fold((0, 0), |(all, clear), (_, line)| (all + 1, clear + i32::from(line[3] == 0.0)));
+        let (all, clear) =
+            on_objects.fold((0, 0), |(all, clear), (_, line)| (all + 1, clear + i32::from(line[3] == 0.0)));
         assert!(all > 20_000 && clear * 10 > all * 7, "{color:?}: {clear} of {all}");
         assert!(lines.iter().all(|texel| texel[..3].iter().all(|part| *part == 0.0)), "black ink, premultiplied");
     }

@@ -6,12 +6,14 @@
 //!
 //! [`pipelines`], [`renderer`]: the steps on a device.
 
+mod instances;
 mod line_joins;
 mod line_segments;
 mod line_visibility;
 mod pipelines;
 mod polylines;
 mod renderer;
+mod scene_depth;
 mod style;
 
 pub use line_segments::{Projector, ScreenSegment};

@@ -1,4 +1,4 @@
-//! [`ReferenceRenderer`]: pictures at many samples a pixel, in tiles.
+//! [`ReferenceRenderer`]: pictures at many samples per pixel, in tiles.
 
 mod box_downsample;
 mod depth;
@@ -7,20 +7,21 @@ mod tiles;
 pub use depth::ReferenceDepth;
 
 use crate::error::GpuError;
-use crate::fill::{Cull, FillPass, FillStyle, Shade};
 use crate::gpu::Gpu;
 use crate::image::{DepthImage, Image};
-use crate::lines::line_visibility::DepthScale;
-use crate::lines::{Join, LinePass, LineStyle, Polylines};
-use crate::pass_view::PassView;
 use crate::submit::Load;
 use crate::target::{DEFAULT_FORMATS, Target};
+use crate::view::view_of_mesh;
 use box_downsample::BoxDownsample;
 use silhouette_core::view::Camera;
-use silhouette_gpu::MeshBuffers;
+use silhouette_gpu::{
+    Color, FillPipelines, FillRenderer, FillStyle, FrameRenderer, Interior, Join, MeshBuffers, Pen, Polylines,
+    StrokePipelines, StrokeRenderer, StrokeStyle,
+};
+use std::sync::Arc;
 use tiles::Tiling;
 
-/// Samples along each side of a pixel: 16 a pixel, an edge's coverage to 0.024 rms.
+/// Samples along each side of a pixel: 16 per pixel, an edge's coverage to 0.024 rms.
 pub const DEFAULT_SUPERSAMPLING: u32 = 4;
 
 /// Most samples along each side of a pixel.
@@ -30,30 +31,31 @@ const MAX_SUPERSAMPLING: u32 = 16;
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a> {
     /// The mesh.
-    pub mesh: &'a MeshBuffers,
+    pub mesh: &'a Arc<MeshBuffers>,
     /// How it is filled. It hides lines whatever its style; with culling, only by the faces drawn.
     pub fill: FillStyle,
     /// The lines over it.
     pub lines: &'a Polylines,
-    /// How they are drawn; widths are pixels of the image.
-    pub style: LineStyle,
+    /// How they are drawn; widths are pixels of the image. The interior is that of `fill`.
+    pub style: StrokeStyle,
     /// The view; its viewport is the image.
     pub camera: Camera,
-    /// Colour of the background, as stored.
-    pub paper: [f64; 4],
+    /// Colour of the background.
+    pub ground: Color,
 }
 
-/// Draws [`Scene`]s at n x n samples a pixel, averaged by a box filter over the bytes as stored: of black ink on white
+/// Draws [`Scene`]s at n x n samples per pixel, averaged by a box filter over the bytes as stored: of black ink on white
 /// paper, a pixel's darkness is the covered share of its area.
 ///
 /// Tiles of at most 2048 x 2048 samples keep the memory bounded for any image size. Cost: each tile draws the whole
-/// mesh. Targets and pipelines are kept for the next image of the same size and style.
+/// mesh, in one submission and one more for the average. Targets and pipelines are kept for the next image of the same size and
+/// style.
 #[derive(Debug)]
 pub struct ReferenceRenderer {
-    lines: LinePass,
     downsample: BoxDownsample,
-    depth_fill: FillPass,
-    fill: Option<(FillStyle, FillPass)>,
+    depth_fill: Arc<FillPipelines>,
+    fill: Option<(FillStyle, Arc<FillPipelines>)>,
+    strokes: Option<(StrokeStyle, Arc<StrokePipelines>)>,
     targets: Option<TileTargets>,
 }
 
@@ -70,17 +72,16 @@ impl ReferenceRenderer {
     /// # Errors
     /// What the device reports.
     pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
-        let depth_style = FillStyle { shade: Shade::DepthOnly, cull: Cull::None };
         Ok(Self {
-            lines: LinePass::new(gpu, DEFAULT_FORMATS.color, 1)?,
             downsample: BoxDownsample::new(gpu)?,
-            depth_fill: FillPass::new(gpu, DEFAULT_FORMATS, depth_style)?,
+            depth_fill: fill_pipelines(gpu, FillStyle::DEPTH)?,
             fill: None,
+            strokes: None,
             targets: None,
         })
     }
 
-    /// The scene with `n` x `n` samples a pixel, n from 1 to 16.
+    /// The scene with `n` x `n` samples per pixel, n from 1 to 16. Colours are premultiplied by alpha.
     ///
     /// # Errors
     /// [`GpuError::Samples`], [`GpuError::OverBudget`], [`GpuError::Size`]; what the device reports.
@@ -100,50 +101,83 @@ impl ReferenceRenderer {
                 pixels: Target::new(gpu, tiling.tile_px(), DEFAULT_FORMATS)?,
             },
         };
-        let fill = match self.fill.take() {
-            Some((style, kept)) if style == scene.fill => kept,
-            _ => FillPass::new(gpu, DEFAULT_FORMATS, scene.fill)?,
-        };
-        let whole = PassView::new(&scene.camera, scene.mesh.bounds(), DEFAULT_FORMATS.depth_direction);
+        let mut fill = FillRenderer::new(gpu.device(), &self.fill_of(gpu, scene.fill)?, scene.mesh);
+        let mut strokes = StrokeRenderer::new(gpu.device(), &self.strokes_of(gpu, scene.style, n)?, scene.mesh);
+        strokes.lines_mut().clone_from(scene.lines);
+        let whole = view_of_mesh(&scene.camera, scene.mesh)?;
+        let ground = scene.ground.for_target(&DEFAULT_FORMATS).map(f64::from);
         let mut image = Image { width, height, rgba: vec![0; 4 * width as usize * height as usize] };
         for placed in tiling.tiles() {
-            let view = whole.with_tile(placed.tile);
-            fill.prepare(gpu, scene.mesh, &view);
-            gpu.draw(&samples, Load::Clear(scene.paper), |pass| fill.draw(pass, scene.mesh))?;
-            self.lines.prepare(gpu, &view, scene.lines, &scene.style, &samples)?;
-            gpu.draw_over(&samples, |pass| self.lines.draw(pass))?;
+            let view = placed.view(&whole)?;
+            fill.prepare(gpu.device(), gpu.queue(), &view)?;
+            strokes.prepare(gpu.device(), gpu.queue(), &view)?;
+            let encode = |encoder: &mut wgpu::CommandEncoder| strokes.encode(encoder);
+            gpu.draw_after(&samples, Load::Clear(ground), encode, |pass| {
+                fill.draw(pass);
+                strokes.draw(pass);
+            })?;
             self.downsample.run(gpu, &samples, n, &pixels)?;
             let tile = pixels.read_color(gpu)?;
             placed.copy_rows(&mut image.rgba, width, 1, 4, &tile.rgba, tile.width);
         }
-        self.fill = Some((scene.fill, fill));
         self.targets = Some(TileTargets { samples, pixels });
         Ok(image)
     }
 
-    /// The depth of `mesh` at `n` x `n` samples a pixel of the camera's viewport, both sides of every face.
+    /// The depth of `mesh` at `n` x `n` samples per pixel of the camera's viewport, both sides of every face.
     ///
     /// # Errors
-    /// As [`image`](Self::image); the budget has to hold 4 bytes a sample.
-    pub fn depth(&self, gpu: &Gpu, mesh: &MeshBuffers, camera: &Camera, n: u32) -> Result<ReferenceDepth, GpuError> {
+    /// As [`image`](Self::image); the budget has to hold 4 bytes per sample.
+    pub fn depth(
+        &mut self,
+        gpu: &Gpu,
+        mesh: &Arc<MeshBuffers>,
+        camera: &Camera,
+        n: u32,
+    ) -> Result<ReferenceDepth, GpuError> {
         check_supersampling(n)?;
         let size = camera.size();
         let [width, height] = size.map(|side| side * n);
         gpu.check_budget(4 * u64::from(width) * u64::from(height))?;
         let tiling = Tiling::new(size, n, 0.0);
         let target = Target::new(gpu, tiling.target_px(), DEFAULT_FORMATS)?;
-        let whole = PassView::new(camera, mesh.bounds(), DEFAULT_FORMATS.depth_direction);
+        let whole = view_of_mesh(camera, mesh)?;
+        let mut fill = FillRenderer::new(gpu.device(), &self.depth_fill, mesh);
         let mut values = vec![0.0; width as usize * height as usize];
         for placed in tiling.tiles() {
-            self.depth_fill.prepare(gpu, mesh, &whole.with_tile(placed.tile));
-            gpu.draw(&target, Load::Clear([1.0; 4]), |pass| self.depth_fill.draw(pass, mesh))?;
+            fill.prepare(gpu.device(), gpu.queue(), &placed.view(&whole)?)?;
+            gpu.draw(&target, Load::Clear([1.0; 4]), |pass| fill.draw(pass))?;
             let tile = target.read_depth(gpu)?;
             placed.copy_rows(&mut values, width, n, 1, &tile.values, tile.width);
         }
-        let image = DepthImage { width, height, values };
-        let view = whole.with_tile(crate::pass_view::Tile { scale: n, ..whole.tile });
-        Ok(ReferenceDepth { image, view, scale: DepthScale::new(&view, DEFAULT_FORMATS.depth) })
+        Ok(ReferenceDepth::new(DepthImage { width, height, values }, whole.tile([0; 2], size, n)?))
     }
+
+    /// The pipelines of a fill, those of the last image where the style is the same.
+    fn fill_of(&mut self, gpu: &Gpu, style: FillStyle) -> Result<Arc<FillPipelines>, GpuError> {
+        if let Some((_, kept)) = self.fill.as_ref().filter(|(kept, _)| *kept == style) {
+            return Ok(Arc::clone(kept));
+        }
+        let made = fill_pipelines(gpu, style)?;
+        self.fill = Some((style, Arc::clone(&made)));
+        Ok(made)
+    }
+
+    /// The pipelines of strokes that are `n` times as wide as `style` says.
+    fn strokes_of(&mut self, gpu: &Gpu, style: StrokeStyle, n: u32) -> Result<Arc<StrokePipelines>, GpuError> {
+        let pen = Pen { width_px: style.pen.width_px * f64::from(n), ..style.pen };
+        let style = StrokeStyle { pen, interior: Interior::None, ..style };
+        if let Some((_, kept)) = self.strokes.as_ref().filter(|(kept, _)| *kept == style) {
+            return Ok(Arc::clone(kept));
+        }
+        let made = Arc::new(gpu.scoped(|| StrokePipelines::new(gpu.device(), DEFAULT_FORMATS, style))?);
+        self.strokes = Some((style, Arc::clone(&made)));
+        Ok(made)
+    }
+}
+
+fn fill_pipelines(gpu: &Gpu, style: FillStyle) -> Result<Arc<FillPipelines>, GpuError> {
+    Ok(Arc::new(gpu.scoped(|| FillPipelines::new(gpu.device(), DEFAULT_FORMATS, style))?))
 }
 
 fn check_supersampling(n: u32) -> Result<(), GpuError> {

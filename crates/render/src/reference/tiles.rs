@@ -1,6 +1,17 @@
 //! A viewport cut into tiles of bounded size, each with an apron.
 
-use crate::pass_view::Tile;
+use silhouette_gpu::{FrameView, FrameViewError};
+
+/// A rectangle of a viewport, drawn at several samples per pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Tile {
+    /// Top left corner in pixels of the viewport; it may lie outside.
+    pub origin_px: [i32; 2],
+    /// Width and height in pixels of the viewport.
+    pub size_px: [u32; 2],
+    /// Samples along each side of a pixel.
+    pub scale: u32,
+}
 
 /// Most samples along each side of a tile, apron included.
 const MAX_SAMPLES: u32 = 2048;
@@ -69,6 +80,12 @@ impl Tiling {
 }
 
 impl PlacedTile {
+    /// The view of this tile, of the view of the whole.
+    pub fn view(&self, whole: &FrameView) -> Result<FrameView, FrameViewError> {
+        let Tile { origin_px, size_px, scale } = self.tile;
+        whole.tile(origin_px, size_px, scale)
+    }
+
     /// Copies this tile's part from `tile` (rows of `tile_width`) into `whole` (rows of `whole_width`), where a pixel
     /// of the viewport has `scale` x `scale` elements of `channels` values each.
     pub fn copy_rows<T: Copy>(

@@ -1,44 +1,34 @@
 //! Reference images and depths: tiles fit together, numbers mean what they say.
 
-use crate::scenes::{PERSPECTIVE, WHITE, framed, silhouette, upload};
+use crate::scenes::{PERSPECTIVE, draw_direct, framed, silhouette, upload};
 use glam::{DVec3, Vec3};
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Framing, Projection};
-use silhouette_gpu::{Pen, PenPlacement};
+use silhouette_gpu::{Color, FillStyle, Pen, PenPlacement, StrokeStyle};
 use silhouette_render::testing::gpu_or_skip;
-use silhouette_render::{
-    DEFAULT_FORMATS, FillPass, FillStyle, GpuError, LinePass, LineStyle, Load, PassView, ReferenceRenderer, Scene,
-    Shade, Target, Tile,
-};
+use silhouette_render::{DEFAULT_FORMATS, GpuError, ReferenceRenderer, Scene};
 
 #[test]
 fn tiles_are_invisible() {
     let Some(gpu) = gpu_or_skip("tiles_are_invisible") else { return };
     let mesh = Torus::default().mesh(48, 24).unwrap();
     let buffers = upload(gpu, &mesh);
-    // At 16 samples a pixel's side a tile is at most 128 pixels wide: four tiles.
+    // At 16 samples along a pixel's side a tile is at most 128 pixels wide: four tiles.
     let (n, size) = (16, [170, 150]);
     let camera = framed(&mesh, PERSPECTIVE, size);
     let lines = silhouette(&mesh, &camera);
     let pen = Pen { width_px: 9.0, placement: PenPlacement::Centred };
-    let style = LineStyle { pen, ..LineStyle::default() };
-    let fill = FillStyle { shade: Shade::Lit([1.0, 0.8, 0.6, 1.0]), ..FillStyle::PAPER };
-    let scene = Scene { mesh: &buffers, fill, lines: &lines, style, camera, paper: WHITE };
+    let style = StrokeStyle { pen, ..StrokeStyle::default() };
+    let fill = FillStyle::PAPER;
+    let scene = Scene { mesh: &buffers, fill, lines: &lines, style, camera, ground: Color::WHITE };
     let mut renderer = ReferenceRenderer::new(gpu).unwrap();
     let tiled = renderer.image(gpu, &scene, n).unwrap();
     assert_eq!(renderer.image(gpu, &scene, n).unwrap(), tiled, "a repeat");
 
     // The same in one piece, averaged here.
-    let view = PassView::new(&camera, buffers.bounds(), DEFAULT_FORMATS.depth_direction);
-    let view = view.with_tile(Tile { scale: n, ..view.tile });
-    let target = Target::new(gpu, view.target_px(), DEFAULT_FORMATS).unwrap();
-    let pass = FillPass::new(gpu, DEFAULT_FORMATS, fill).unwrap();
-    pass.prepare(gpu, &buffers, &view);
-    gpu.draw(&target, Load::Clear(WHITE), |p| pass.draw(p, &buffers)).unwrap();
-    let mut strokes = LinePass::new(gpu, DEFAULT_FORMATS.color, 1).unwrap();
-    strokes.prepare(gpu, &view, &lines, &style, &target).unwrap();
-    gpu.draw_over(&target, |p| strokes.draw(p)).unwrap();
-    let samples = target.read_color(gpu).unwrap();
+    let wide = StrokeStyle { pen: Pen { width_px: pen.width_px * f64::from(n), ..pen }, ..style };
+    let large = camera.with_size(size.map(|side| side * n)).unwrap();
+    let samples = draw_direct(gpu, &buffers, &large, &lines, &wide, DEFAULT_FORMATS);
     for y in 0..size[1] {
         for x in 0..size[0] {
             let square = (0..n * n).map(|i| samples.pixel(x * n + i % n, y * n + i / n)[0]);
@@ -55,7 +45,7 @@ fn reference_depth_is_the_distance_along_the_axis() {
     let Some(gpu) = gpu_or_skip("reference_depth_is_the_distance_along_the_axis") else { return };
     let mesh = Cuboid::default().mesh().unwrap();
     let buffers = upload(gpu, &mesh);
-    let renderer = ReferenceRenderer::new(gpu).unwrap();
+    let mut renderer = ReferenceRenderer::new(gpu).unwrap();
     for projection in [Projection::Perspective { fov_y_rad: 0.6 }, Projection::Orthographic { height: 5.0 }] {
         // 700 pixels at 4 samples need several tiles.
         let camera = Camera::new(Vec3::new(0.0, 0.0, 6.0), Vec3::ZERO, Vec3::Y, projection, [700, 40]).unwrap();
@@ -82,8 +72,8 @@ fn impossible_references_are_refused() {
     let Some(gpu) = gpu_or_skip("impossible_references_are_refused") else { return };
     let mesh = Cuboid::default().mesh().unwrap();
     let buffers = upload(gpu, &mesh);
-    let renderer = ReferenceRenderer::new(gpu).unwrap();
-    let depth = |size, n| renderer.depth(gpu, &buffers, &framed(&mesh, Framing::Orthographic, size), n);
+    let mut renderer = ReferenceRenderer::new(gpu).unwrap();
+    let mut depth = |size, n| renderer.depth(gpu, &buffers, &framed(&mesh, Framing::Orthographic, size), n);
     for n in [0, 17] {
         assert!(matches!(depth([8, 8], n), Err(GpuError::Samples { .. })));
     }

@@ -5,8 +5,12 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::silhouette::SilhouetteEdges;
 use silhouette_core::view::{Camera, DepthDirection, Framing, Projection};
 use silhouette_core::{FaceFacings, Topology};
-use silhouette_gpu::{MeshBuffers, TargetFormats};
-use silhouette_render::{FillPass, FillStyle, Gpu, Image, LinePass, LineStyle, Load, PassView, Polylines, Target};
+use silhouette_gpu::{
+    Color, FillPipelines, FillRenderer, FillStyle, FrameRenderer, FrameView, Interior, MeshBuffers, Polylines,
+    StrokePipelines, StrokeRenderer, StrokeStyle, TargetFormats,
+};
+use silhouette_render::{Gpu, Image, Load, Target, view_of_mesh};
+use std::sync::Arc;
 
 pub const WHITE: [f64; 4] = [1.0; 4];
 
@@ -32,8 +36,8 @@ pub fn empty_mesh() -> TriangleMesh {
     TriangleMesh::new(vec![], vec![]).unwrap()
 }
 
-pub fn upload(gpu: &Gpu, mesh: &TriangleMesh) -> MeshBuffers {
-    MeshBuffers::new(gpu.device(), gpu.queue(), mesh).unwrap()
+pub fn upload(gpu: &Gpu, mesh: &TriangleMesh) -> Arc<MeshBuffers> {
+    Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh).unwrap())
 }
 
 /// Every silhouette edge as a line of its own.
@@ -47,24 +51,54 @@ pub fn silhouette(mesh: &TriangleMesh, camera: &Camera) -> Polylines {
     lines
 }
 
-/// White paper with the mesh on it and lines over it, at one sample a pixel.
+/// A view of a mesh for a target of these formats.
+pub fn view_for(camera: &Camera, mesh: &MeshBuffers, formats: TargetFormats) -> FrameView {
+    let range = view_of_mesh(camera, mesh).unwrap().depth_law().range();
+    FrameView::from_camera(camera, range, formats.depth_direction).unwrap()
+}
+
+/// What a renderer draws on white paper.
+pub fn draw_on_paper(gpu: &Gpu, renderer: &mut dyn FrameRenderer, view: &FrameView, formats: TargetFormats) -> Target {
+    let target = Target::new(gpu, view.viewport().size_px, formats).unwrap();
+    renderer.prepare(gpu.device(), gpu.queue(), view).unwrap();
+    let renderer = &*renderer;
+    gpu.draw_after(&target, Load::Clear(WHITE), |encoder| renderer.encode(encoder), |pass| renderer.draw(pass))
+        .unwrap();
+    target
+}
+
+/// A renderer of some lines.
+pub fn strokes(
+    gpu: &Gpu,
+    mesh: &Arc<MeshBuffers>,
+    lines: &Polylines,
+    style: &StrokeStyle,
+    formats: TargetFormats,
+) -> StrokeRenderer {
+    let pipelines = Arc::new(gpu.scoped(|| StrokePipelines::new(gpu.device(), formats, *style)).unwrap());
+    let mut strokes = StrokeRenderer::new(gpu.device(), &pipelines, mesh);
+    strokes.lines_mut().clone_from(lines);
+    strokes
+}
+
+/// White paper with the mesh on it and lines over it.
 pub fn draw_direct(
     gpu: &Gpu,
-    mesh: &MeshBuffers,
+    mesh: &Arc<MeshBuffers>,
     camera: &Camera,
     lines: &Polylines,
-    style: &LineStyle,
+    style: &StrokeStyle,
     formats: TargetFormats,
 ) -> Image {
-    let view = PassView::new(camera, mesh.bounds(), formats.depth_direction);
-    let target = Target::new(gpu, camera.size(), formats).unwrap();
-    let fill = FillPass::new(gpu, formats, FillStyle::PAPER).unwrap();
-    fill.prepare(gpu, mesh, &view);
-    gpu.draw(&target, Load::Clear(WHITE), |pass| fill.draw(pass, mesh)).unwrap();
-    let mut strokes = LinePass::new(gpu, formats.color, formats.samples).unwrap();
-    strokes.prepare(gpu, &view, lines, style, &target).unwrap();
-    gpu.draw_over(&target, |pass| strokes.draw(pass)).unwrap();
-    target.read_color(gpu).unwrap()
+    let style = StrokeStyle { interior: Interior::Paper(Color::WHITE), ..*style };
+    let view = view_for(camera, mesh, formats);
+    draw_on_paper(gpu, &mut strokes(gpu, mesh, lines, &style, formats), &view, formats).read_color(gpu).unwrap()
+}
+
+/// The mesh alone, on white paper.
+pub fn fill(gpu: &Gpu, mesh: &Arc<MeshBuffers>, view: &FrameView, style: FillStyle, formats: TargetFormats) -> Target {
+    let pipelines = Arc::new(gpu.scoped(|| FillPipelines::new(gpu.device(), formats, style)).unwrap());
+    draw_on_paper(gpu, &mut FillRenderer::new(gpu.device(), &pipelines, mesh), view, formats)
 }
 
 /// Share of black of each pixel.

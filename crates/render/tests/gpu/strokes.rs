@@ -1,25 +1,25 @@
 //! The shape of strokes, against areas and distances in closed form.
 
-use crate::scenes::{PERSPECTIVE, WHITE, at_pixel, darkness, empty_mesh, framed, ink, pixel_camera, upload};
+use crate::scenes::{PERSPECTIVE, at_pixel, darkness, empty_mesh, framed, ink, pixel_camera, upload};
 use glam::{DVec2, DVec3};
 use silhouette_core::shapes::Cuboid;
 use silhouette_core::view::Camera;
-use silhouette_gpu::{Pen, PenPlacement};
+use silhouette_gpu::{Cap, Color, FillStyle, Hidden, Join, Pen, PenPlacement, Polylines, StrokeStyle};
 use silhouette_render::testing::gpu_or_skip;
-use silhouette_render::{Cap, FillStyle, Gpu, Hidden, Image, Join, LineStyle, Polylines, ReferenceRenderer, Scene};
+use silhouette_render::{Gpu, Image, ReferenceRenderer, Scene};
 
-fn draw(gpu: &Gpu, camera: Camera, lines: &[(Vec<DVec3>, bool)], style: LineStyle) -> Image {
+fn draw(gpu: &Gpu, camera: Camera, lines: &[(Vec<DVec3>, bool)], style: StrokeStyle) -> Image {
     let mut polylines = Polylines::new();
     for (points, closed) in lines {
         polylines.push(points.iter().copied(), *closed);
     }
     let mesh = upload(gpu, &empty_mesh());
-    let scene = Scene { mesh: &mesh, fill: FillStyle::PAPER, lines: &polylines, style, camera, paper: WHITE };
+    let scene = Scene { mesh: &mesh, fill: FillStyle::PAPER, lines: &polylines, style, camera, ground: Color::WHITE };
     ReferenceRenderer::new(gpu).unwrap().image(gpu, &scene, 8).unwrap()
 }
 
-fn style(width_px: f64, join: Join, cap: Cap) -> LineStyle {
-    LineStyle { pen: Pen { width_px, placement: PenPlacement::Centred }, join, cap, ..LineStyle::default() }
+fn style(width_px: f64, join: Join, cap: Cap) -> StrokeStyle {
+    StrokeStyle { pen: Pen { width_px, placement: PenPlacement::Centred }, join, cap, ..StrokeStyle::default() }
 }
 
 fn in_pixels(points: &[DVec2]) -> Vec<DVec3> {
@@ -35,7 +35,7 @@ fn lines_are_as_wide_as_asked_at_every_angle() {
         let line = in_pixels(&[middle - along * 80.0, middle + along * 80.0]);
         for width_px in [0.75, 1.5, 4.2] {
             for placement in [PenPlacement::Centred, PenPlacement::Inside, PenPlacement::Outside] {
-                let style = LineStyle { pen: Pen { width_px, placement }, cap: Cap::Butt, ..LineStyle::default() };
+                let style = StrokeStyle { pen: Pen { width_px, placement }, cap: Cap::Butt, ..StrokeStyle::default() };
                 let image = draw(gpu, pixel_camera([200; 2]), &[(line.clone(), false)], style);
                 let drawn = ink(&image) / 160.0;
                 // Along the samples' rows and diagonals, sides round to a whole row: an eighth of a pixel.
@@ -54,7 +54,7 @@ fn ink_lies_on_the_side_that_the_placement_says() {
     let Some(gpu) = gpu_or_skip("ink_lies_on_the_side_that_the_placement_says") else { return };
     let line = in_pixels(&[DVec2::new(5.0, 20.0), DVec2::new(35.0, 20.0)]);
     let rows = |placement| {
-        let style = LineStyle { pen: Pen { width_px: 4.0, placement }, ..LineStyle::default() };
+        let style = StrokeStyle { pen: Pen { width_px: 4.0, placement }, ..StrokeStyle::default() };
         let image = draw(gpu, pixel_camera([40; 2]), &[(line.clone(), false)], style);
         (0..40).filter(|&y| image.pixel(20, y)[0] == 0).collect::<Vec<_>>()
     };
@@ -174,9 +174,9 @@ fn a_line_past_the_eye_is_not_stretched() {
     assert!((ink(&image) - 100.0).abs() < 4.0, "half the width, two pixels thick: {}", ink(&image));
     assert!((0..100).all(|y| (0..48).all(|x| image.pixel(x, y)[0] == 255)), "nothing on the other side");
     // Wholly behind the eye, and through the eye itself.
-    let behind = draw(gpu, camera, &[(vec![eye + (eye - target), beyond], false)], LineStyle::default());
+    let behind = draw(gpu, camera, &[(vec![eye + (eye - target), beyond], false)], StrokeStyle::default());
     assert!(ink(&behind) < 1e-9);
-    let through = draw(gpu, camera, &[(vec![target, eye, beyond], true)], LineStyle::default());
+    let through = draw(gpu, camera, &[(vec![target, eye, beyond], true)], StrokeStyle::default());
     assert!(ink(&through) < 400.0);
 }
 
@@ -186,7 +186,8 @@ fn lines_that_are_none_draw_nothing() {
     let p = at_pixel(DVec2::splat(20.0));
     let lines =
         [(vec![], false), (vec![p], true), (vec![p; 4], true), (vec![p, DVec3::NAN, p], false), (vec![p, p], false)];
-    let image = draw(gpu, pixel_camera([40; 2]), &lines, LineStyle { hidden: Hidden::Drawn, ..LineStyle::default() });
+    let image =
+        draw(gpu, pixel_camera([40; 2]), &lines, StrokeStyle { hidden: Hidden::Drawn, ..StrokeStyle::default() });
     assert!(ink(&image) < 1e-9);
     let line = in_pixels(&[DVec2::new(5.0, 5.0), DVec2::new(35.0, 30.0)]);
     for width_px in [0.0, -3.0, f64::NAN, f64::INFINITY] {

@@ -1,30 +1,23 @@
 //! Targets of every size and format, and the mesh drawn into them.
 
 use crate::scenes::{
-    DEPTH_FORMATS, DIRECTIONS, PERSPECTIVE, WHITE, difference, draw_direct, empty_mesh, framed, upload,
+    DEPTH_FORMATS, DIRECTIONS, PERSPECTIVE, difference, draw_direct, empty_mesh, fill, framed, upload, view_for,
 };
 use glam::{DVec2, Vec3};
 use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Projection};
-use silhouette_gpu::{MeshBuffers, TargetFormats};
+use silhouette_gpu::{Color, Cull, FillStyle, Polylines, Shade, StrokeStyle, TargetFormats};
 use silhouette_render::testing::gpu_or_skip;
-use silhouette_render::{
-    Cull, DEFAULT_FORMATS, FillPass, FillStyle, Gpu, Image, LineStyle, Load, PassView, Polylines, Shade, Target,
-};
+use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target};
 
-const BLACK: FillStyle = FillStyle { shade: Shade::Flat([0.0, 0.0, 0.0, 1.0]), cull: Cull::None };
+const BLACK: FillStyle = FillStyle { shade: Shade::Flat(Color::BLACK), cull: Cull::None };
 
-fn fill(gpu: &Gpu, mesh: &MeshBuffers, camera: &Camera, style: FillStyle, formats: TargetFormats) -> Target {
-    let target = Target::new(gpu, camera.size(), formats).unwrap();
-    let pass = FillPass::new(gpu, formats, style).unwrap();
-    pass.prepare(gpu, mesh, &PassView::new(camera, mesh.bounds(), formats.depth_direction));
-    gpu.draw(&target, Load::Clear(WHITE), |p| pass.draw(p, mesh)).unwrap();
-    target
-}
+const GREY: Color = Color { srgb: [0.5; 3], alpha: 1.0 };
 
 fn filled(gpu: &Gpu, mesh: &TriangleMesh, camera: &Camera, style: FillStyle, formats: TargetFormats) -> Image {
-    fill(gpu, &upload(gpu, mesh), camera, style, formats).read_color(gpu).unwrap()
+    let mesh = upload(gpu, mesh);
+    fill(gpu, &mesh, &view_for(camera, &mesh, formats), style, formats).read_color(gpu).unwrap()
 }
 
 #[test]
@@ -60,14 +53,12 @@ fn depth_is_read_back_in_every_format() {
         for depth in DEPTH_FORMATS {
             for depth_direction in DIRECTIONS {
                 let formats = TargetFormats { depth, depth_direction, ..DEFAULT_FORMATS };
-                let style = FillStyle { shade: Shade::DepthOnly, cull: Cull::None };
-                let target = fill(gpu, &buffers, &camera, style, formats);
+                let view = view_for(&camera, &buffers, formats);
+                let target = fill(gpu, &buffers, &view, FillStyle::DEPTH, formats);
                 assert_eq!(target.read_color(gpu).unwrap().pixel(16, 16), [255; 4], "no colour is written");
                 let image = target.read_depth(gpu).unwrap();
                 assert_eq!(image.value(0, 0).to_bits(), formats.clear_depth().to_bits());
-                let view = PassView::new(&camera, buffers.bounds(), depth_direction);
-                let value = f64::from(image.value(16, 16));
-                let found = camera.depth_of_buffer_value(value, view.range, depth_direction);
+                let found = view.depth_law().depth_of_value(f64::from(image.value(16, 16)));
                 assert!((found - 4.0).abs() < 1e-3, "{formats:?}: the front side is 4 units away, not {found}");
             }
         }
@@ -79,7 +70,7 @@ fn culling_changes_nothing_on_a_closed_mesh_and_halves_an_open_one() {
     let Some(gpu) = gpu_or_skip("culling_changes_nothing_on_a_closed_mesh_and_halves_an_open_one") else { return };
     let torus = Torus::default().mesh(48, 24).unwrap();
     let camera = framed(&torus, PERSPECTIVE, [96; 2]);
-    for shade in [BLACK.shade, Shade::Lit([0.9, 0.5, 0.2, 1.0])] {
+    for shade in [BLACK.shade, Shade::Lit(Color { srgb: [0.9, 0.5, 0.2], alpha: 1.0 })] {
         let all = filled(gpu, &torus, &camera, FillStyle { shade, cull: Cull::None }, DEFAULT_FORMATS);
         let front = filled(gpu, &torus, &camera, FillStyle { shade, cull: Cull::Back }, DEFAULT_FORMATS);
         assert_eq!(difference(&all, &front), 0, "{shade:?}");
@@ -104,8 +95,8 @@ fn lit_faces_differ_and_flat_ones_do_not() {
         shades.dedup();
         shades.len()
     };
-    assert_eq!(shades(Shade::Flat([0.5; 4])), 2);
-    assert!(shades(Shade::Lit([0.5; 4])) >= 4, "three sides and the paper");
+    assert_eq!(shades(Shade::Flat(GREY)), 2);
+    assert!(shades(Shade::Lit(GREY)) >= 4, "three sides and the paper");
 }
 
 #[test]
@@ -131,7 +122,7 @@ fn far_from_the_origin_the_picture_is_the_same() {
     let moved = TriangleMesh::new(moved, cube.triangles().to_vec()).unwrap();
     let projection = Projection::Perspective { fov_y_rad: 0.7 };
     let camera = |at: Vec3| Camera::new(at + Vec3::new(2.0, 1.5, 5.25), at, Vec3::Y, projection, [128; 2]).unwrap();
-    let lit = FillStyle { shade: Shade::Lit([1.0; 4]), cull: Cull::None };
+    let lit = FillStyle { shade: Shade::Lit(Color::WHITE), cull: Cull::None };
     let near = filled(gpu, &cube, &camera(Vec3::ZERO), lit, DEFAULT_FORMATS);
     let far = filled(gpu, &moved, &camera(offset), lit, DEFAULT_FORMATS);
     assert!(difference(&near, &far) <= 2, "{} pixels differ", difference(&near, &far));
@@ -148,7 +139,7 @@ fn any_unit_of_length_gives_the_same_picture() {
         let mut lines = Polylines::new();
         let corners = [0, 1, 3, 2].map(|corner: usize| scaled.positions()[corner].as_dvec3());
         lines.push(corners, true);
-        let style = LineStyle::default();
+        let style = StrokeStyle::default();
         draw_direct(gpu, &upload(gpu, &scaled), &camera, &lines, &style, DEFAULT_FORMATS)
     };
     let unit = picture(1.0);
@@ -164,7 +155,7 @@ fn an_empty_mesh_is_a_blank_page() {
     let cube = Cuboid::default().mesh().unwrap();
     let camera = framed(&cube, PERSPECTIVE, [16; 2]);
     let buffers = upload(gpu, &empty_mesh());
-    let style = LineStyle::default();
+    let style = StrokeStyle::default();
     let image = draw_direct(gpu, &buffers, &camera, &Polylines::new(), &style, DEFAULT_FORMATS);
     assert!(image.rgba.iter().all(|&value| value == 255));
     assert_eq!(buffers.bytes(), 0);

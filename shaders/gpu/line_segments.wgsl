@@ -1,7 +1,9 @@
-// Strokes of single segments as quads. Twin of the instance: crates/render/src/lines/line_segments.rs
+// Strokes of single segments as quads. Twin of the instance: crates/gpu/src/strokes/line_segments.rs
+
+#import "gpu/line_visibility.wgsl"
 
 struct SegmentInstance {
-    // Ends in target pixels with their depth-buffer values.
+    // Ends in pixels of the viewport with their depth-buffer values.
     @location(0) a: vec3<f32>,
     @location(1) b: vec3<f32>,
     // Bit 0: round cap at a, bit 1: at b.
@@ -44,7 +46,7 @@ fn segment_fragment(in: SegmentVertex) -> @location(0) vec4<f32> {
     if beyond > 0.0 && beyond * beyond + across * across > radius * radius {
         discard;
     }
-    if style.hide != 0u && !visible_at(in.position.xy, in.a, in.b) {
+    if style.hide != 0u && !visible_at(in.position.xy - style.origin_px, in.a, in.b) {
         discard;
     }
     return style.color;

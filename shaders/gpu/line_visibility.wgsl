@@ -1,10 +1,14 @@
-// Which points of a line the mesh hides. Twin: crates/render/src/lines/line_visibility.rs
+// Which points of a line the mesh hides. Twin: crates/gpu/src/strokes/line_visibility.rs
 
 struct LineUniform {
-    // Width and height of the target.
-    target_px: vec2<f32>,
+    // Top left corner of the viewport in the target, and its size.
+    origin_px: vec2<f32>,
+    viewport_px: vec2<f32>,
+    // Top left corner of the viewport in the depth texture.
+    depth_origin_px: vec2<f32>,
     // The stroke covers these distances to the left of the line: lowest, highest.
     span_px: vec2<f32>,
+    // As the target takes it, premultiplied.
     color: vec4<f32>,
     // (p, q, r, s): a value v of the depth buffer stands for the view depth (p v + q) / (r v + s).
     depth_of_value: vec4<f32>,
@@ -40,8 +44,8 @@ fn along(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> f32 {
 
 // Whether the scene at the pixel that holds p lets the segment through. Buffer values are affine in the image.
 fn lets_through(p: vec2<f32>, a: vec3<f32>, b: vec3<f32>) -> bool {
-    let pixel = clamp(floor(p), vec2<f32>(0.0), style.target_px - 1.0);
-    let scene = textureLoad(scene_depth, vec2<i32>(pixel), 0);
+    let pixel = clamp(floor(p), vec2<f32>(0.0), style.viewport_px - 1.0);
+    let scene = textureLoad(scene_depth, vec2<i32>(pixel + style.depth_origin_px), 0);
     if scene == style.clear_depth {
         return true;
     }
@@ -60,8 +64,8 @@ fn visible_at(p: vec2<f32>, a: vec3<f32>, b: vec3<f32>) -> bool {
     return lets_through(q, a, b) || lets_through(q + normal, a, b) || lets_through(q - normal, a, b);
 }
 
-// Target pixels (y down) to clip space.
+// Pixels of the viewport (y down) to clip space.
 fn pixel_position(p: vec2<f32>) -> vec4<f32> {
-    let ndc = p / style.target_px * 2.0 - 1.0;
+    let ndc = p / style.viewport_px * 2.0 - 1.0;
     return vec4<f32>(ndc.x, -ndc.y, 0.5, 1.0);
 }

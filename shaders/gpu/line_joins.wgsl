@@ -1,7 +1,9 @@
-// The wedge on the outer side of a turn between two segments. Twin of the instance: crates/render/src/lines/line_joins.rs
+// The wedge on the outer side of a turn between two segments. Twin of the instance: crates/gpu/src/strokes/line_joins.rs
+
+#import "gpu/line_visibility.wgsl"
 
 struct JoinInstance {
-    // The corner in target pixels with its depth-buffer value.
+    // The corner in pixels of the viewport with its depth-buffer value.
     @location(0) corner: vec3<f32>,
     // The segments' other ends: where the stroke comes from, where it goes to.
     @location(1) before: vec3<f32>,
