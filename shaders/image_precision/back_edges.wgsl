@@ -4,6 +4,12 @@
 // positions of its ends; those counted once are listed. Which face comes first is left to chance; the list as a set is not,
 // as long as every edge finds a place within the longest probe.
 
+#import "shared/invocation.wgsl"
+#import "shared/mesh.wgsl"
+#import "shared/line_polygon.wgsl"
+#import "image_precision/style.wgsl"
+#import "image_precision/front_mark.wgsl"
+
 // The faces: their number, and their own numbers.
 @group(2) @binding(0) var<storage, read> faces: array<u32>;
 @group(2) @binding(1) var<storage, read_write> table: array<atomic<u32>>;
@@ -18,7 +24,7 @@ const SHARED: u32 = 0x80000000u;
 const LONGEST_PROBE: u32 = 64u;
 
 fn list(edge: u32) {
-    let vertices = vertices_per_line();
+    let vertices = vertices_per_line(style.line.shape);
     listed[atomicAdd(&arguments[0], vertices) / vertices] = edge;
 }
 

@@ -1,5 +1,12 @@
-// Lists fattened triangles as triangles whose corners are cut off, and all other polygons for `fans.wgsl`.
-// Twin: crates/image_precision/src/fatten_list.rs
+// Lists fattened triangles as cut triangles, and all other polygons for `fans.wgsl`.
+// Twin: crates/image_precision/src/cut_triangles.rs
+
+#import "shared/camera.wgsl"
+#import "shared/invocation.wgsl"
+#import "image_precision/fattened.wgsl"
+#import "image_precision/polygon.wgsl"
+#import "image_precision/push.wgsl"
+#import "image_precision/cut_triangle.wgsl"
 
 // The plane of a triangle: its origin is the triangle's middle, its x axis runs along the first edge.
 struct Plane {

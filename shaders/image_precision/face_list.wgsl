@@ -2,6 +2,10 @@
 //
 // Stages that do much for few faces run over a list: in lockstep, faces with nothing to do take as long as the others.
 
+#import "shared/invocation.wgsl"
+#import "image_precision/facing.wgsl"
+#import "image_precision/front_mark.wgsl"
+
 // The number of entries, and the entries.
 @group(2) @binding(0) var<storage, read_write> faces: array<atomic<u32>>;
 // For unoriented polygons: 1 for faces of the first layer.

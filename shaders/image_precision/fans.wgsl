@@ -1,8 +1,14 @@
-// Fans of fattened polygons that are not drawn as cut triangles. Twin: crates/image_precision/src/fatten_list.rs
+// Fans of fattened polygons that are not drawn as cut triangles. Twin: crates/image_precision/src/fans.rs
 //
 // A polygon of n corners has 2 n + 1 vertices, its middle and the ends of each pushed edge. The paper draws 2 n triangles about
 // the middle. Where the fattened polygon is convex, 2 n - 2 about its first vertex cover the same; polygons are convex
 // themselves, so that turning left at every vertex tells it.
+
+#import "shared/camera.wgsl"
+#import "shared/invocation.wgsl"
+#import "image_precision/fattened.wgsl"
+#import "image_precision/polygon.wgsl"
+#import "image_precision/push.wgsl"
 
 fn place(vertex: u32, position: vec3<f32>, note: u32) {
     places[vertex] = clip_position(position);
@@ -14,7 +20,7 @@ fn place(vertex: u32, position: vec3<f32>, note: u32) {
 // Whether the edge from a to b is nearer to level than to upright in the image.
 fn level_of(a: vec3<f32>, b: vec3<f32>) -> u32 {
     let ends = array<vec4<f32>, 2>(clip_position(a), clip_position(b));
-    return is_level(0.5 * style.viewport_px * (ends[1].xy / ends[1].w - ends[0].xy / ends[0].w));
+    return is_level(0.5 * style.line.shape.viewport_px * (ends[1].xy / ends[1].w - ends[0].xy / ends[0].w));
 }
 
 // By how much the edge from a to b of a polygon is pushed, as a vector in its plane.

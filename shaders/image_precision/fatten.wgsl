@@ -1,5 +1,7 @@
-// Section 3.3 of Raskar and Cohen 1999: fattened polygons, as `cut_triangles.wgsl` and `fans.wgsl` leave them.
-// Twin: crates/image_precision/src/fatten_list.rs
+// Draws fattened polygons, section 3.3 of Raskar and Cohen 1999, as `cut_triangles.wgsl` and `fans.wgsl` leave them.
+// Twin: crates/image_precision/src/fatten.rs
+
+#import "image_precision/ink.wgsl"
 
 @vertex
 fn fat_vertex(@location(0) clip: vec4<f32>) -> @builtin(position) vec4<f32> {

@@ -1,4 +1,8 @@
-// Every face as its number plus one, a byte a channel: formats of whole numbers have one sample a pixel. Twin: crates/image_precision/src/unoriented.rs
+// Draws every face as its id plus one, one byte per channel: integer formats cannot be multisampled.
+// Twin: crates/image_precision/src/first_layer.rs
+
+#import "shared/camera.wgsl"
+#import "shared/mesh.wgsl"
 
 struct NumberedVertex {
     @invariant @builtin(position) position: vec4<f32>,

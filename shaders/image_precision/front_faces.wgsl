@@ -1,5 +1,8 @@
 // Step 2 of Raskar and Cohen 1999: front faces, as paper or shaded. Twin: crates/image_precision/src/front_faces.rs
 
+#import "shared/camera.wgsl"
+#import "image_precision/style.wgsl"
+
 struct FrontVertex {
     @invariant @builtin(position) position: vec4<f32>,
     @location(0) local: vec3<f32>,

@@ -1,4 +1,7 @@
-// Faces behind the first layer, pulled as back faces are. Twin: crates/image_precision/src/unoriented.rs
+// Faces behind the first layer, pulled as back faces are. Twin: crates/image_precision/src/later_faces.rs
+
+#import "shared/mesh.wgsl"
+#import "image_precision/ink.wgsl"
 
 @group(2) @binding(0) var<storage, read> listed: array<u32>;
 

@@ -1,5 +1,8 @@
 // The id of the face that is nearest, plus one. Twin: crates/render/src/face_ids.rs
 
+#import "shared/camera.wgsl"
+#import "shared/mesh.wgsl"
+
 struct FaceVertex {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: u32,

@@ -1,5 +1,7 @@
 // Filled triangles. Twin of the uniform: crates/render/src/fill.rs
 
+#import "shared/camera.wgsl"
+
 struct FillUniform {
     color: vec4<f32>,
     // Unit vector towards the light in mesh space; w: share of light that falls everywhere.

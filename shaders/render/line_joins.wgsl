@@ -1,5 +1,7 @@
 // The wedge on the outer side of a turn between two segments. Twin of the instance: crates/render/src/lines/line_joins.rs
 
+#import "render/line_visibility.wgsl"
+
 struct JoinInstance {
     // The corner in target pixels with its depth-buffer value.
     @location(0) corner: vec3<f32>,

@@ -1,5 +1,7 @@
 // Strokes of single segments as quads. Twin of the instance: crates/render/src/lines/line_segments.rs
 
+#import "render/line_visibility.wgsl"
+
 struct SegmentInstance {
     // Ends in target pixels with their depth-buffer values.
     @location(0) a: vec3<f32>,

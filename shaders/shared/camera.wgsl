@@ -1,4 +1,4 @@
-// Twin: crates/gpu/src/camera.rs
+// The camera of a view. Twin: crates/gpu/src/camera.rs
 
 struct CameraUniform {
     // Recentred mesh space to clip space.

@@ -1,4 +1,4 @@
-// Positions and triangles, pulled by index. Twin: crates/gpu/src/mesh_binding.rs
+// Positions and triangles, fetched by index. Twin: crates/gpu/src/mesh_binding.rs
 
 @group(1) @binding(0) var<storage, read> positions: array<f32>;
 @group(1) @binding(1) var<storage, read> corners: array<u32>;

@@ -1,6 +1,6 @@
 //! Struct layouts as naga computes them, to compare with the Rust structs that are uploaded.
 
-use naga::{AddressSpace, TypeInner};
+use naga::{AddressSpace, Handle, Module, Type, TypeInner};
 
 /// Size and member offsets of one WGSL struct, in bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub struct StructLayout {
     pub size: u32,
     /// Name and offset of every member, in order.
     pub members: Vec<(String, u32)>,
-    /// Whether the struct is what a uniform or storage variable holds, so that its offsets matter.
+    /// Whether a uniform or storage variable holds the struct, itself or as a member, so that its offsets matter.
     pub is_bound: bool,
 }
 
@@ -19,10 +19,21 @@ pub fn struct_layout(wgsl: &str, name: &str) -> Option<StructLayout> {
     let (handle, found) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name))?;
     let TypeInner::Struct { members, span } = &found.inner else { return None };
     let is_bound = module.global_variables.iter().any(|(_, variable)| {
-        variable.ty == handle && matches!(variable.space, AddressSpace::Uniform | AddressSpace::Storage { .. })
+        matches!(variable.space, AddressSpace::Uniform | AddressSpace::Storage { .. })
+            && holds(&module, variable.ty, handle)
     });
     let members = members.iter().map(|member| (member.name.clone().unwrap_or_default(), member.offset)).collect();
     Some(StructLayout { size: *span, members, is_bound })
+}
+
+/// Whether a value of type `ty` is or contains a `wanted`.
+fn holds(module: &Module, ty: Handle<Type>, wanted: Handle<Type>) -> bool {
+    ty == wanted
+        || match &module.types[ty].inner {
+            TypeInner::Struct { members, .. } => members.iter().any(|member| holds(module, member.ty, wanted)),
+            TypeInner::Array { base, .. } => holds(module, *base, wanted),
+            _ => false,
+        }
 }
 
 /// Whether the struct `name` in `wgsl` is bound and has this size and these members, in this order.
@@ -44,11 +55,15 @@ mod tests {
     use super::*;
 
     const WGSL: &str = "struct S { a: f32, b: vec3<f32>, c: u32 } @group(0) @binding(0) var<uniform> s: S;
-        struct Unbound { a: f32 }";
+        struct Unbound { a: f32 }
+        struct Inner { a: f32 }
+        struct Outer { inner: Inner }
+        @group(0) @binding(1) var<storage> all: array<Outer>;";
 
     #[test]
     fn layouts_follow_the_alignment_rules() {
         assert!(matches(WGSL, "S", 32, &[("a", 0), ("b", 16), ("c", 28)]));
+        assert!(matches(WGSL, "Inner", 4, &[("a", 0)]), "a struct within a struct that is bound");
     }
 
     #[test]

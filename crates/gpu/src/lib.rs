@@ -10,6 +10,8 @@
 
 mod camera;
 mod formats;
+pub mod kit;
+mod line_polygon;
 mod local_frame;
 mod mesh_binding;
 mod mesh_buffers;
@@ -18,6 +20,7 @@ mod renderer_error;
 
 pub use camera::{CameraBinding, CameraUniform};
 pub use formats::TargetFormats;
+pub use line_polygon::{LinePolygon, LineShape, Rounding};
 pub use local_frame::LocalFrame;
 pub use mesh_binding::MeshBinding;
 pub use mesh_buffers::{MeshBuffers, MeshTooLarge, POSITION_LAYOUT};

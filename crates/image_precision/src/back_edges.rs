@@ -2,7 +2,7 @@
 //! `shaders/image_precision/face_list.wgsl`, `back_edges.wgsl`.
 
 use crate::face_list::FaceList;
-use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
+use silhouette_gpu::kit::{bind_layout, buffers_group, compute_pipeline, storage_buffer, storage_entry, workgroups};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
 use silhouette_shaders::image_precision::BACK_EDGES;
 
@@ -35,10 +35,7 @@ const SLOTS_PER_INVOCATION: u32 = 4;
 
 /// Layout of the list for the stage that draws it.
 pub(crate) fn drawing_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("lines to draw"),
-        entries: &[storage_entry(0, true)],
-    })
+    bind_layout(device, "lines to draw", &[storage_entry(0, true)])
 }
 
 /// Arguments of an indirect draw whose vertices stages count: one instance of none so far.
@@ -62,10 +59,8 @@ impl BackEdges {
         let table = storage_buffer(device, "edge table", 4 * u64::from(slots), none)?;
         let list = storage_buffer(device, "edges of back faces", 12 * u64::from(faces), none)?;
         let arguments = draw_arguments(device, queue)?;
-        let filling_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("listing of edges"),
-            entries: &[0, 1, 2, 3].map(|binding| storage_entry(binding, binding == 0)),
-        });
+        let entries = [0, 1, 2, 3].map(|binding| storage_entry(binding, binding == 0));
+        let filling_layout = bind_layout(device, "listing of edges", &entries);
         let nothing = storage_buffer(device, "no first layer", 4, none)?;
         let listing = if listed == Listed::UnsharedLater { "list_later_layers" } else { "list_back_faces" };
         let faces = FaceList::new(device, faces, listing, first_layer.unwrap_or(&nothing))?;
@@ -81,8 +76,8 @@ impl BackEdges {
                 &[faces.entries(), &table, &list, &arguments],
             ),
             drawing: buffers_group(device, "lines to draw", &drawing_layout(device), &[&list]),
-            add: compute(device, BACK_EDGES, add, &layouts),
-            list_unshared: compute(device, BACK_EDGES, "list_unshared", &layouts),
+            add: compute_pipeline(device, BACK_EDGES, add, &layouts),
+            list_unshared: compute_pipeline(device, BACK_EDGES, "list_unshared", &layouts),
             faces,
             table,
             arguments,
@@ -113,7 +108,7 @@ impl BackEdges {
         self.faces.dispatch(&mut pass, 3);
         if self.slots > 1 {
             pass.set_pipeline(&self.list_unshared);
-            let [x, y] = groups(self.slots / SLOTS_PER_INVOCATION);
+            let [x, y] = workgroups(self.slots / SLOTS_PER_INVOCATION);
             pass.dispatch_workgroups(x, y, 1);
         }
     }

@@ -79,6 +79,30 @@ pub fn slip(edge: &FattenedEdge) -> f64 {
     cosine.abs() * (sine_squared - facing * facing).max(0.0).sqrt() / facing
 }
 
+/// Draws fattened polygons by two stages of `shaders/image_precision/fatten.wgsl`, vertex and fragment.
+#[cfg(feature = "gpu")]
+pub(crate) fn pipeline(
+    device: &wgpu::Device,
+    label: &str,
+    [vertex, fragment]: [&str; 2],
+    vertex_buffers: &[Option<wgpu::VertexBufferLayout<'static>>],
+    formats: silhouette_gpu::TargetFormats,
+) -> wgpu::RenderPipeline {
+    silhouette_gpu::kit::RenderStage {
+        label,
+        wgsl: silhouette_shaders::image_precision::FATTEN,
+        vertex,
+        fragment,
+        bindings: &[Some(&silhouette_gpu::CameraBinding::layout(device))],
+        vertex_buffers,
+        depth: Some(formats.depth_state(formats.nearer_or_equal())),
+        color: formats.color,
+        samples: formats.samples,
+        ..silhouette_gpu::kit::RenderStage::default()
+    }
+    .build(device)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,13 +1,12 @@
 //! Step 2: front faces, white or shaded. Stage: `shaders/image_precision/front_faces.wgsl`.
 
 use crate::settings::Interior;
-use crate::stage::{POSITIONS, Stage};
-use silhouette_gpu::TargetFormats;
+use silhouette_gpu::kit::RenderStage;
+use silhouette_gpu::{CameraBinding, POSITION_LAYOUT, TargetFormats};
 
 /// Front faces, or all of them for meshes whose winding says nothing, over everything farther.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
-    layouts: &[Option<&wgpu::BindGroupLayout>],
     formats: TargetFormats,
     interior: Interior,
     culled: Option<wgpu::Face>,
@@ -18,15 +17,18 @@ pub(crate) fn pipeline(
         Interior::Grey => ("front_vertex", "grey_fragment"),
         Interior::Gooch => ("front_vertex", "gooch_fragment"),
     };
-    Stage {
+    RenderStage {
         label: "image precision: front faces",
         wgsl: silhouette_shaders::image_precision::FRONT_FACES,
         vertex,
         fragment,
-        buffers: POSITIONS,
-        culled,
-        polygon_mode: wgpu::PolygonMode::Fill,
-        depth: formats.depth_state(formats.nearer()),
+        bindings: &[Some(&CameraBinding::layout(device))],
+        vertex_buffers: &[Some(POSITION_LAYOUT)],
+        cull_mode: culled,
+        depth: Some(formats.depth_state(formats.nearer())),
+        color: formats.color,
+        samples: formats.samples,
+        ..RenderStage::default()
     }
-    .build(device, layouts, formats.color, formats.samples)
+    .build(device)
 }

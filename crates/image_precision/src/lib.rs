@@ -53,23 +53,35 @@
 
 #[cfg(feature = "gpu")]
 mod back_edges;
+#[cfg(feature = "gpu")]
+mod back_faces;
 pub mod charcoal;
+#[cfg(feature = "gpu")]
+mod cut_triangles;
 pub mod depth_range;
 pub mod depth_step;
 pub mod equal;
 pub mod eye_inside;
 #[cfg(feature = "gpu")]
 mod face_list;
-pub mod fatten;
 #[cfg(feature = "gpu")]
-mod fatten_list;
+mod fans;
+#[cfg(feature = "gpu")]
+mod fat_polygons;
+pub mod fatten;
 pub mod feature_edges;
 #[cfg(feature = "gpu")]
 mod first_layer;
 pub mod fixed_pull;
 #[cfg(feature = "gpu")]
 mod front_faces;
+#[cfg(feature = "gpu")]
+mod ink;
+#[cfg(feature = "gpu")]
+mod later_faces;
 mod line_width;
+#[cfg(feature = "gpu")]
+mod mark_seen;
 mod method;
 pub mod offset;
 mod options;
@@ -79,8 +91,6 @@ mod renderer;
 pub mod scale;
 pub mod screen;
 mod settings;
-#[cfg(feature = "gpu")]
-mod stage;
 #[cfg(feature = "gpu")]
 mod style;
 pub mod unoriented;

@@ -1,15 +1,14 @@
-//! [`StyleUniform`]: what every stage knows of the lines. Twin: `shaders/shared/image_precision/style.wgsl`.
+//! [`StyleUniform`]: the style of lines, which every stage binds. Twin: `shaders/image_precision/style.wgsl`.
 
 use crate::depth_range;
 use crate::fatten::FattenLaw;
-use crate::screen::Rounding;
 use crate::settings::{Settings, Texture, Variant};
-use crate::{fixed_pull, scale, screen};
+use crate::{fixed_pull, scale};
 use bytemuck::{Pod, Zeroable};
 use silhouette_core::glam::{DMat4, DVec3};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
-use silhouette_gpu::LocalFrame;
+use silhouette_gpu::{LinePolygon, LocalFrame, Rounding};
 
 /// Direction towards the light in the image, y up: the upper left.
 const LIGHT: [f64; 2] = [-0.6, 0.8];
@@ -22,25 +21,19 @@ pub(crate) struct StyleUniform {
     pub eye: [f32; 4],
     pub axis: [f32; 4],
     pub ink: [f32; 4],
-    pub reach: [f32; 2],
-    pub viewport_px: [f32; 2],
-    pub light: [f32; 2],
+    pub line: LinePolygon,
+    pub fade: [f32; 3],
     pub clamp_edges: f32,
     pub band: f32,
-    pub fade: [f32; 3],
-    pub near_w: f32,
     pub law: u32,
     pub texture: u32,
     pub faces: u32,
     pub slot_mask: u32,
     pub corner_mask: u32,
     pub polygon_corners: u32,
-    pub lift: f32,
-    pub end_sides: u32,
     pub noted: u32,
     pub most_around: f32,
-    pub _pad: [u32; 2],
-    pub rim: [[f32; 4]; 17],
+    pub _pad: [u32; 3],
 }
 
 /// Depths that are drawn, and how back faces are mapped to clip space.
@@ -90,7 +83,7 @@ pub(crate) fn reach(variant: Variant) -> f64 {
 
 /// How lines are rounded that are at most so wide. Lines of a wireframe end bluntly.
 fn rounding(variant: Variant, widest_px: f64) -> Rounding {
-    if matches!(variant, Variant::Wireframe { .. }) { Rounding::BLUNT } else { screen::rounding(widest_px, false) }
+    if matches!(variant, Variant::Wireframe { .. }) { Rounding::BLUNT } else { Rounding::new(widest_px, false) }
 }
 
 /// Fills in what a view decides; counts of the mesh and of tables are the caller's.
@@ -118,21 +111,21 @@ pub(crate) fn of_view(
         _ => FattenLaw::Exact,
     };
     let [red, green, blue] = settings.ink;
-    let thinning = LIGHT.map(|part| (part * settings.light_thinning) as f32);
+    let near_w = match camera.projection() {
+        Projection::Perspective { .. } => (pulled.range.near / unit) as f32,
+        Projection::Orthographic { .. } => 0.5,
+    };
+    let reach_px = [width.constant_px, width.px_at_depth_1 / unit].map(|part| (reach * part) as f32);
+    let mut line = LinePolygon::new(camera.size().map(|side| side as f32), reach_px, near_w, rounding);
+    line.shape.light = LIGHT.map(|part| (part * settings.light_thinning) as f32);
     StyleUniform {
         back_to_clip: frame.through(camera, pulled.view_to_clip).as_mat4().to_cols_array_2d(),
         eye: eye.to_array(),
         axis: axis.as_vec3().extend(px_per_unit as f32).to_array(),
         ink: DVec3::new(red, green, blue).as_vec3().extend(1.0).to_array(),
-        reach: [width.constant_px, width.px_at_depth_1 / unit].map(|part| (reach * part) as f32),
-        viewport_px: camera.size().map(|side| side as f32),
-        light: thinning,
+        line,
         fade: [(depth - bounds.radius) / unit, (depth + bounds.radius) / unit, settings.depth_fade]
             .map(|part| part as f32),
-        near_w: match camera.projection() {
-            Projection::Perspective { .. } => (pulled.range.near / unit) as f32,
-            Projection::Orthographic { .. } => 0.5,
-        },
         clamp_edges: settings.fatten_clamp as f32,
         band: if let Variant::Charcoal { band, .. } = settings.variant { band as f32 } else { 0.0 },
         law: match law {
@@ -149,12 +142,9 @@ pub(crate) fn of_view(
         slot_mask: 0,
         corner_mask: 0,
         polygon_corners: 3,
-        lift: 0.0,
-        end_sides: rounding.end_sides,
         noted: 0,
         most_around: 0.0,
-        _pad: [0; 2],
-        rim: rounding.rim(),
+        _pad: [0; 3],
     }
 }
 
@@ -173,24 +163,18 @@ mod tests {
             eye,
             axis,
             ink,
-            reach,
-            viewport_px,
-            light,
+            line,
+            fade,
             clamp_edges,
             band,
-            fade,
-            near_w,
             law,
             texture,
             faces,
             slot_mask,
             corner_mask,
             polygon_corners,
-            lift,
-            end_sides,
             noted,
-            most_around,
-            rim
+            most_around
         );
         let stage = silhouette_shaders::image_precision::SCREEN;
         let size = size_of::<StyleUniform>();

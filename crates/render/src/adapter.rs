@@ -1,19 +1,8 @@
-//! Choice of an adapter, and what it says of itself.
+//! Reading the choice of an adapter, choosing one, and describing it.
 
+use crate::adapter_choice::AdapterChoice;
 use crate::error::GpuError;
 use std::fmt;
-
-/// Which adapters are acceptable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum AdapterChoice {
-    /// The best there is: discrete, integrated, virtual, then software.
-    #[default]
-    Any,
-    /// Anything but software.
-    Hardware,
-    /// Software only: the same picture on every machine that has the same driver.
-    Software,
-}
 
 /// Environment variable read by [`AdapterChoice::from_env`].
 const VARIABLE: &str = "SILHOUETTES_ADAPTER";
@@ -35,26 +24,9 @@ impl AdapterChoice {
             _ => Err(GpuError::AdapterVariable { value: value.to_owned() }),
         }
     }
-
-    /// Rank of a kind of adapter, lowest first; `None` where the choice excludes it.
-    fn rank(self, kind: wgpu::DeviceType) -> Option<u32> {
-        let rank = match kind {
-            wgpu::DeviceType::DiscreteGpu => 0,
-            wgpu::DeviceType::IntegratedGpu => 1,
-            wgpu::DeviceType::VirtualGpu => 2,
-            wgpu::DeviceType::Other => 3,
-            wgpu::DeviceType::Cpu => 4,
-        };
-        let accepted = match self {
-            Self::Any => true,
-            Self::Hardware => kind != wgpu::DeviceType::Cpu,
-            Self::Software => kind == wgpu::DeviceType::Cpu,
-        };
-        accepted.then_some(rank)
-    }
 }
 
-/// What an adapter says of itself.
+/// Name, driver and limits of an adapter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AdapterDescription {
     /// Name of the device.

@@ -1,6 +1,6 @@
 //! [`GpuError`]: everything that can go wrong between here and a GPU.
 
-use crate::adapter::AdapterChoice;
+use crate::adapter_choice::AdapterChoice;
 use silhouette_gpu::MeshTooLarge;
 
 /// What went wrong on the way to the GPU or on it. Nothing here is a panic.

@@ -4,23 +4,23 @@ use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::image::IdImage;
 use crate::pass_view::{PassView, Tile};
-use crate::pipeline::{Stage, uniform_buffer, uniform_entry};
 use crate::submit::Load;
 use crate::target::{DEFAULT_FORMATS, Target};
 use silhouette_core::view::Camera;
+use silhouette_gpu::kit::{RenderStage, UniformBlock, bind_group, bind_layout, uniform_entry};
 use silhouette_gpu::{CameraUniform, MeshBinding, MeshBuffers, TargetFormats};
 
-/// A whole number a pixel, with the default depth.
+/// One id per pixel, with the default depth.
 const FORMATS: TargetFormats = TargetFormats { color: wgpu::TextureFormat::R32Uint, ..DEFAULT_FORMATS };
 
-/// Draws the ids of a mesh's faces. Both sides of a face are drawn. The target is kept for the next picture of the same size.
+/// Draws the ids of a mesh's faces, both sides of each. The target is kept for the next picture of the same size.
 ///
-/// The ids are read back, so this pass waits for the device. Its stage pulls positions and triangles from storage buffers,
-/// which WebGL does not have.
+/// The ids are read back, so this pass waits for the device. Its stage fetches positions and triangles from storage buffers,
+/// which WebGL lacks.
 #[derive(Debug)]
 pub struct FaceIdPass {
     pipeline: wgpu::RenderPipeline,
-    camera: wgpu::Buffer,
+    camera: UniformBlock<CameraUniform>,
     camera_binding: wgpu::BindGroup,
     mesh_layout: wgpu::BindGroupLayout,
     target: Option<Target>,
@@ -34,28 +34,21 @@ impl FaceIdPass {
     pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let device = gpu.device();
         gpu.scoped(|| {
-            let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("face ids' camera"),
-                entries: &[uniform_entry(0)],
-            });
+            let layout = bind_layout(device, "face ids' camera", &[uniform_entry(0)]);
             let mesh_layout = MeshBinding::layout(device);
-            let pipeline = Stage {
+            let pipeline = RenderStage {
                 label: "face ids",
                 wgsl: silhouette_shaders::render::FACE_IDS,
                 vertex: "face_vertex",
                 fragment: "face_id",
-                mesh: Some(&mesh_layout),
+                bindings: &[Some(&layout), Some(&mesh_layout)],
                 depth: Some(FORMATS.depth_state(FORMATS.nearer())),
                 color: FORMATS.color,
-                ..Stage::default()
+                ..RenderStage::default()
             }
-            .build(device, &layout);
-            let camera = uniform_buffer(device, "face ids' camera", size_of::<CameraUniform>());
-            let camera_binding = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("face ids' camera"),
-                layout: &layout,
-                entries: &[wgpu::BindGroupEntry { binding: 0, resource: camera.as_entire_binding() }],
-            });
+            .build(device);
+            let camera = UniformBlock::new(device, "face ids' camera");
+            let camera_binding = bind_group(device, "face ids' camera", &layout, &[camera.binding()]);
             Self { pipeline, camera, camera_binding, mesh_layout, target: None }
         })
     }
@@ -74,7 +67,7 @@ impl FaceIdPass {
             _ => Target::new(gpu, size, FORMATS)?,
         };
         let uniform = CameraUniform::new(view.local_to_clip(mesh.frame()));
-        gpu.queue().write_buffer(&self.camera, 0, bytemuck::bytes_of(&uniform));
+        self.camera.write(gpu.queue(), &uniform);
         let binding = gpu.scoped(|| MeshBinding::new(gpu.device(), &self.mesh_layout, mesh, None))??;
         gpu.draw(&target, Load::Clear([0.0; 4]), |pass| {
             if let Some(binding) = &binding {

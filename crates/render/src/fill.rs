@@ -3,9 +3,9 @@
 use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::pass_view::PassView;
-use crate::pipeline::Stage;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
+use silhouette_gpu::kit::RenderStage;
 use silhouette_gpu::{CameraBinding, CameraUniform, MeshBuffers, POSITION_LAYOUT, TargetFormats};
 
 /// How faces are coloured. Colours are what the format stores for `Unorm`, linear for `Srgb`.
@@ -75,12 +75,13 @@ impl FillPass {
         let device = gpu.device();
         gpu.scoped(|| {
             let layout = CameraBinding::layout(device);
-            let pipeline = Stage {
+            let pipeline = RenderStage {
                 label: "fill",
                 wgsl: silhouette_shaders::render::FILL,
                 vertex: "fill_vertex",
                 fragment: if matches!(style.shade, Shade::Lit(_)) { "fill_lit" } else { "fill_flat" },
-                buffers: &[Some(POSITION_LAYOUT)],
+                bindings: &[Some(&layout)],
+                vertex_buffers: &[Some(POSITION_LAYOUT)],
                 cull_mode: (style.cull == Cull::Back).then_some(wgpu::Face::Back),
                 depth: Some(formats.depth_state(formats.nearer())),
                 color: formats.color,
@@ -89,9 +90,9 @@ impl FillPass {
                     Shade::Flat(_) | Shade::Lit(_) => wgpu::ColorWrites::ALL,
                 },
                 samples: formats.samples,
-                ..Stage::default()
+                ..RenderStage::default()
             }
-            .build(device, &layout);
+            .build(device);
             let binding = CameraBinding::new(device, &layout, size_of::<FillUniform>());
             Self { pipeline, binding, style }
         })

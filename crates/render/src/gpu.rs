@@ -1,8 +1,9 @@
 //! [`Gpu`]: a device whose errors come back as values.
 
-use crate::adapter::{self, AdapterChoice, AdapterDescription};
+use crate::adapter::{self, AdapterDescription};
+use crate::adapter_choice::AdapterChoice;
+use crate::depth_readback::DepthReader;
 use crate::error::GpuError;
-use crate::read_back::DepthReader;
 use crate::timestamps::Timestamps;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};

@@ -13,6 +13,8 @@
 //! it may differ by a rounding.
 
 mod adapter;
+mod adapter_choice;
+mod depth_readback;
 mod error;
 mod face_ids;
 mod fill;
@@ -20,7 +22,6 @@ mod gpu;
 mod image;
 mod lines;
 mod pass_view;
-mod pipeline;
 mod read_back;
 mod reference;
 mod submit;
@@ -28,7 +29,8 @@ mod target;
 pub mod testing;
 mod timestamps;
 
-pub use adapter::{AdapterChoice, AdapterDescription};
+pub use adapter::AdapterDescription;
+pub use adapter_choice::AdapterChoice;
 pub use error::GpuError;
 pub use face_ids::FaceIdPass;
 pub use fill::{Cull, FillPass, FillStyle, Shade};

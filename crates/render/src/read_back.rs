@@ -1,13 +1,13 @@
 //! Textures and buffers back on the CPU.
 
+use crate::depth_readback::DepthReader;
 use crate::error::GpuError;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, lock};
 use crate::image::{DepthImage, IdImage, Image};
-use crate::pipeline::{Stage, depth_texture_entry};
 use crate::target::Target;
 use std::sync::{Arc, Mutex};
 
-/// A texture is read in bands of rows of at most so many bytes, so that a large one needs no second copy of itself.
+/// Most bytes of the bands of rows that a texture is read in, so that a large one needs no second copy of itself.
 const BAND_BYTES: u64 = 64 << 20;
 
 impl Target {
@@ -26,7 +26,7 @@ impl Target {
         Ok(Image { width, height, rgba })
     }
 
-    /// The colour of a target of whole numbers, `R32Uint`, after the last pass.
+    /// The colour of an `R32Uint` target after the last pass.
     ///
     /// # Errors
     /// [`GpuError::ColorFormat`] where the colour is of another format; [`GpuError::OverBudget`]; what the device reports.
@@ -63,69 +63,10 @@ impl Target {
             resolve_target: None,
             ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
         };
-        gpu.submit_pass(
-            &[Some(attachment)],
-            None,
-            |_| {},
-            |pass| {
-                pass.set_pipeline(&reader.pipeline);
-                pass.set_bind_group(0, &bind_group, &[]);
-                pass.draw(0..3, 0..1);
-            },
-        )?;
+        gpu.submit_pass(&[Some(attachment)], None, |_| {}, |pass| reader.draw(pass, &bind_group))?;
         let bytes = read_texture(gpu, &floats)?;
         let values = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         Ok(DepthImage { width, height, values })
-    }
-}
-
-/// Copies depth of any format into a float texture: 24-bit depth can be sampled, but not copied.
-#[derive(Debug)]
-pub(crate) struct DepthReader {
-    layout: wgpu::BindGroupLayout,
-    pipeline: wgpu::RenderPipeline,
-}
-
-impl DepthReader {
-    fn new(device: &wgpu::Device) -> Self {
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("depth read-back"),
-            entries: &[depth_texture_entry(0)],
-        });
-        let pipeline = Stage {
-            label: "depth read-back",
-            wgsl: silhouette_shaders::render::DEPTH_READBACK,
-            fragment: "depth_readback",
-            color: wgpu::TextureFormat::R32Float,
-            ..Stage::default()
-        }
-        .build(device, &layout);
-        Self { layout, pipeline }
-    }
-
-    fn bind(
-        &self,
-        device: &wgpu::Device,
-        depth: &wgpu::TextureView,
-        [width, height]: [u32; 2],
-    ) -> (wgpu::Texture, wgpu::TextureView, wgpu::BindGroup) {
-        let floats = device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("depth as floats"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::R32Float,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
-        let view = floats.create_view(&wgpu::TextureViewDescriptor::default());
-        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("depth read-back"),
-            layout: &self.layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(depth) }],
-        });
-        (floats, view, bind_group)
     }
 }
 
@@ -169,16 +110,16 @@ fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuError>
 }
 
 impl Gpu {
-    /// Maps a buffer whose writes are done and hands its bytes to `read`.
+    /// Maps a buffer whose writes are done and passes its bytes to `read`.
     pub(crate) fn read_buffer<T>(&self, buffer: &wgpu::Buffer, read: impl FnOnce(&[u8]) -> T) -> Result<T, GpuError> {
         let outcome = Arc::new(Mutex::new(None));
         let sink = Arc::clone(&outcome);
         let submission = self.scoped(|| {
-            buffer.map_async(wgpu::MapMode::Read, .., move |result| *crate::gpu::lock(&sink) = Some(result));
+            buffer.map_async(wgpu::MapMode::Read, .., move |result| *lock(&sink) = Some(result));
             self.queue().submit([])
         })?;
         self.wait(submission)?;
-        match crate::gpu::lock(&outcome).take() {
+        match lock(&outcome).take() {
             Some(Ok(())) => {}
             Some(Err(error)) => return Err(GpuError::Internal(error.to_string())),
             None => return Err(GpuError::Internal("a buffer was not mapped in time".to_owned())),

@@ -11,14 +11,14 @@ use std::time::Instant;
 pub enum Load {
     /// This colour (as the format stores it for `Unorm`, linear for `Srgb`) and the farthest depth.
     Clear([f64; 4]),
-    /// What the pass before left.
+    /// What the previous pass left.
     Keep,
 }
 
 /// How long a pass took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassTime {
-    /// Between the pass's begin and end on the device, in milliseconds; `None` where the adapter cannot tell.
+    /// Between the pass's begin and end on the device, in milliseconds; `None` where the adapter has no timestamps.
     pub gpu_ms: Option<f64>,
     /// From recording until the device was done, in milliseconds.
     pub wall_ms: f64,
@@ -38,8 +38,8 @@ impl Gpu {
         self.draw_after(target, load, |_| {}, record)
     }
 
-    /// As [`draw`](Self::draw), with what `encode` records before the pass in the same submission, and outside of the
-    /// pass's own time.
+    /// As [`draw`](Self::draw), with what `encode` records before the pass in the same submission; its time is not part of the pass's
+    /// time.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -105,7 +105,8 @@ impl Gpu {
         })?;
         self.wait(submission)?;
         let wall_ms = start.elapsed().as_secs_f64() * 1e3;
-        let gpu_ms = timestamps.as_deref().map(|timestamps| timestamps.read_ms(self)).transpose()?;
+        let read = |timestamps: &Timestamps| self.read_buffer(timestamps.readable(), |b| timestamps.elapsed_ms(b));
+        let gpu_ms = timestamps.as_deref().map(read).transpose()?;
         Ok(PassTime { gpu_ms, wall_ms })
     }
 }

@@ -1,6 +1,6 @@
 //! A device for tests, with a visible skip where there is none.
 
-use crate::adapter::AdapterChoice;
+use crate::adapter_choice::AdapterChoice;
 use crate::gpu::Gpu;
 use std::sync::OnceLock;
 

@@ -1,10 +1,9 @@
-//! Timestamps at the beginning and the end of a pass, allocated once for a device.
+//! [`Timestamps`]: when a pass begins and ends on the device.
 
-use crate::error::GpuError;
-use crate::gpu::Gpu;
-
+/// Bytes of the two values.
 const BYTES: u64 = 16;
 
+/// Two timestamp queries with their buffers, allocated once per device.
 #[derive(Debug)]
 pub(crate) struct Timestamps {
     queries: wgpu::QuerySet,
@@ -43,18 +42,21 @@ impl Timestamps {
         }
     }
 
-    /// Copies the two values to where [`read_ms`](Self::read_ms) finds them.
+    /// Copies the two values into [`readable`](Self::readable).
     pub(crate) fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
         encoder.resolve_query_set(&self.queries, 0..2, &self.resolved, 0);
         encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, BYTES);
     }
 
-    /// Milliseconds between the two, once the submission is done.
-    pub(crate) fn read_ms(&self, gpu: &Gpu) -> Result<f64, GpuError> {
-        let ticks = gpu.read_buffer(&self.readable, |bytes| {
-            let tick = |i: usize| u64::from_le_bytes(std::array::from_fn(|k| bytes[8 * i + k]));
-            tick(1).saturating_sub(tick(0))
-        })?;
-        Ok(ticks as f64 * self.ns_per_tick * 1e-6)
+    /// The buffer to map once the submission is done.
+    pub(crate) fn readable(&self) -> &wgpu::Buffer {
+        &self.readable
+    }
+
+    /// Milliseconds between the two values, from the content of [`readable`](Self::readable).
+    pub(crate) fn elapsed_ms(&self, bytes: &[u8]) -> f64 {
+        let mut ticks = bytes.chunks_exact(8).map(|value| u64::from_le_bytes(std::array::from_fn(|i| value[i])));
+        let [begin, end] = [ticks.next().unwrap_or(0), ticks.next().unwrap_or(0)];
+        end.saturating_sub(begin) as f64 * self.ns_per_tick * 1e-6
     }
 }

@@ -1,15 +1,13 @@
 //! [`Back`]: step 3 by variant.
 
 use crate::back_edges::{self, BackEdges, Listed};
-use crate::fatten_list::FatPolygons;
-use crate::first_layer::FirstLayer;
+use crate::fat_polygons::FatPolygons;
+use crate::later_faces::LaterFaces;
 use crate::method::ImagePrecision;
-use crate::offset;
-use crate::settings::{Settings, Texture, Variant};
-use crate::stage::{POSITIONS, Stage, ink_fragment};
+use crate::settings::Variant;
 use crate::style::StyleUniform;
+use crate::{back_faces, screen};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshBuffers, RendererError, TargetFormats};
-use silhouette_shaders::image_precision::{BACK_FACES, SCREEN};
 
 /// What draws back faces.
 #[derive(Debug)]
@@ -21,7 +19,7 @@ pub(super) enum Back {
     /// Their fattened polygons.
     Fat(Box<FatPolygons>),
     /// Whatever lies behind the first layer.
-    Later(Box<FirstLayer>),
+    Later(Box<LaterFaces>),
 }
 
 impl Back {
@@ -37,7 +35,7 @@ impl Back {
         let faces = buffers.face_count();
         let edges = |listed| -> Result<Self, RendererError> {
             let list = BackEdges::new(device, queue, faces, listed, None)?;
-            Ok(Self::Edges { list, pipeline: line_pipeline(device, formats, settings, "line_of_edge") })
+            Ok(Self::Edges { list, pipeline: screen::pipeline(device, formats, settings, "line_of_edge") })
         };
         match variant {
             Variant::Screen => edges(Listed::Unshared),
@@ -50,21 +48,21 @@ impl Back {
                         instead: "use wireframe-lines=quads, which needs none",
                     });
                 }
-                Ok(Self::Faces(faces_pipeline(device, formats, settings)))
+                Ok(Self::Faces(back_faces::pipeline(device, formats, settings)))
             }
             Variant::Fatten { .. } | Variant::Charcoal { .. } => {
                 let fat = FatPolygons::new(device, queue, faces, method.polygons(), settings, formats)?;
                 Ok(Self::Fat(Box::new(fat)))
             }
             Variant::Unoriented { k } => {
-                let layer = FirstLayer::new(device, queue, faces, k.is_some(), settings, formats)?;
+                let layer = LaterFaces::new(device, queue, faces, k.is_some(), settings, formats)?;
                 Ok(Self::Later(Box::new(layer)))
             }
             Variant::Equal
             | Variant::FixedPull { .. }
             | Variant::Scale { .. }
             | Variant::DepthRange { .. }
-            | Variant::Offset { .. } => Ok(Self::Faces(faces_pipeline(device, formats, settings))),
+            | Variant::Offset { .. } => Ok(Self::Faces(back_faces::pipeline(device, formats, settings))),
         }
     }
 
@@ -131,48 +129,4 @@ impl Back {
             (_, None) => {}
         }
     }
-}
-
-/// Back faces themselves.
-fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, settings: &Settings) -> wgpu::RenderPipeline {
-    let variant = settings.variant;
-    let compare = if variant == Variant::Equal { wgpu::CompareFunction::Equal } else { formats.nearer_or_equal() };
-    let mut depth = formats.depth_state(compare);
-    if let Variant::Offset { slope, constant, clamp } = variant {
-        depth.bias = offset::bias(formats, slope, constant, clamp);
-    }
-    let is_lines = matches!(variant, Variant::Wireframe { .. });
-    Stage {
-        label: "image precision: back faces",
-        wgsl: BACK_FACES,
-        vertex: "back_vertex",
-        fragment: ink_fragment(settings),
-        buffers: POSITIONS,
-        culled: Some(wgpu::Face::Front),
-        polygon_mode: if is_lines { wgpu::PolygonMode::Line } else { wgpu::PolygonMode::Fill },
-        depth,
-    }
-    .build(device, &[Some(&CameraBinding::layout(device))], formats.color, formats.samples)
-}
-
-/// Lines as quads; `vertex` tells what the list holds.
-pub(crate) fn line_pipeline(
-    device: &wgpu::Device,
-    formats: TargetFormats,
-    settings: &Settings,
-    vertex: &'static str,
-) -> wgpu::RenderPipeline {
-    let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
-    let list = back_edges::drawing_layout(device);
-    Stage {
-        label: "image precision: lines",
-        wgsl: SCREEN,
-        vertex,
-        fragment: if settings.texture == Texture::Solid { ink_fragment(settings) } else { "textured_fragment" },
-        buffers: &[],
-        culled: None,
-        polygon_mode: wgpu::PolygonMode::Fill,
-        depth: formats.depth_state(formats.nearer_or_equal()),
-    }
-    .build(device, &[Some(&camera), Some(&mesh), Some(&list)], formats.color, formats.samples)
 }

@@ -1,15 +1,14 @@
 //! [`ExtraLines`]: boundary edges and creases, drawn along.
 
-use super::back::line_pipeline;
 use crate::back_edges::drawing_layout;
 use crate::screen;
 use crate::settings::Settings;
-use crate::stage::{buffers_group, storage_buffer};
 use crate::style::{self, StyleUniform};
 use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection};
-use silhouette_gpu::{CameraBinding, CameraUniform, MeshBinding, MeshTooLarge, TargetFormats};
+use silhouette_gpu::kit::{buffers_group, storage_buffer};
+use silhouette_gpu::{CameraBinding, CameraUniform, MeshBinding, MeshTooLarge, Rounding, TargetFormats};
 
 /// Lines given by pairs of vertices, centred on their edges and brought as far in front of the faces that they lie on as
 /// they are wide.
@@ -48,7 +47,7 @@ impl ExtraLines {
             half: (0.5 / style::reach(settings.variant)) as f32,
             binding: CameraBinding::new(device, &layout, size_of::<StyleUniform>()),
             list: buffers_group(device, "extra edges", &drawing_layout(device), &[&pairs]),
-            pipeline: line_pipeline(device, formats, settings, "line_of_pair"),
+            pipeline: screen::pipeline(device, formats, settings, "line_of_pair"),
         }))
     }
 
@@ -64,22 +63,18 @@ impl ExtraLines {
         range: ClipRange,
         direction: DepthDirection,
     ) {
-        let [half, half_falling] = style.reach.map(|reach| self.half * reach);
+        let [half, half_falling] = style.line.shape.reach.map(|reach| self.half * reach);
         let depth = -camera.view_matrix().transform_point3(bounds.center).z;
         let depth = depth.max(range.near + 0.1 * (range.far - range.near));
         let width_px = 2.0 * f64::from(half + half_falling / depth as f32);
         let toward = width_px / camera.pixels_per_unit(depth);
         let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
         let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
-        let rounding = screen::rounding(0.5 * width_px, true);
-        self.vertices = self.edges.saturating_mul(6 * rounding.end_sides);
-        let style = StyleUniform {
-            end_sides: rounding.end_sides,
-            rim: rounding.rim(),
-            reach: [half, half_falling],
-            lift: lift as f32,
-            ..*style
-        };
+        let mut style = *style;
+        style.line.round(Rounding::new(0.5 * width_px, true));
+        style.line.shape.reach = [half, half_falling];
+        style.line.shape.lift = lift as f32;
+        self.vertices = self.edges.saturating_mul(style.line.vertices_per_line());
         self.binding.write(queue, camera_uniform, &style);
     }
 

@@ -3,8 +3,6 @@
 mod back;
 mod extra;
 
-pub(crate) use back::line_pipeline;
-
 use crate::depth_step::{self, DepthBits, PullBelowDepthStep};
 use crate::method::ImagePrecision;
 use crate::settings::{ExtraEdges, Settings, Variant};
@@ -75,7 +73,6 @@ impl Renderer {
         let settings = *method.settings();
         let buffers = MeshBuffers::new(device, queue, method.mesh().mesh())?;
         let camera_layout = CameraBinding::layout(device);
-        let layouts = [Some(&camera_layout)];
         let is_oriented = !matches!(settings.variant, Variant::Unoriented { .. });
         let culled = is_oriented.then_some(wgpu::Face::Back);
         let back = Back::new(device, queue, method, &buffers, formats)?;
@@ -88,7 +85,7 @@ impl Renderer {
             mesh: Arc::clone(method.mesh()),
             settings,
             formats,
-            front: front_faces::pipeline(device, &layouts, formats, settings.interior, culled),
+            front: front_faces::pipeline(device, formats, settings.interior, culled),
             back,
             extra: ExtraLines::new(device, queue, method.extra_edges(), &settings, formats)?,
             binding: CameraBinding::new(device, &camera_layout, size_of::<StyleUniform>()),

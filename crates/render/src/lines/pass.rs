@@ -7,11 +7,11 @@ use super::{Hidden, Join, LineStyle, Polylines};
 use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::pass_view::PassView;
-use crate::pipeline::{Stage, depth_texture_entry, uniform_buffer, uniform_entry};
 use crate::target::Target;
 use bytemuck::{Pod, Zeroable};
+use silhouette_gpu::kit::{RenderStage, UniformBlock, bind_group, bind_layout, texture_entry, uniform_entry};
 
-/// Twin of the struct in `shaders/shared/line_visibility.wgsl`.
+/// Twin of the struct in `shaders/render/line_visibility.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 struct LineUniform {
@@ -37,7 +37,7 @@ pub struct LinePass {
     layout: wgpu::BindGroupLayout,
     segment_pipeline: wgpu::RenderPipeline,
     join_pipeline: wgpu::RenderPipeline,
-    uniform: wgpu::Buffer,
+    uniform: UniformBlock<LineUniform>,
     bound: Option<(wgpu::TextureView, wgpu::BindGroup)>,
     segments: InstanceBuffer,
     joins: InstanceBuffer,
@@ -52,15 +52,26 @@ impl LinePass {
     pub fn new(gpu: &Gpu, color: wgpu::TextureFormat, samples: u32) -> Result<Self, GpuError> {
         let device = gpu.device();
         gpu.scoped(|| {
-            let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("lines"),
-                entries: &[uniform_entry(0), depth_texture_entry(1)],
-            });
+            let depth = texture_entry(1, wgpu::TextureSampleType::Depth, false);
+            let layout = bind_layout(device, "lines", &[uniform_entry(0), depth]);
+            let bindings = &[Some(&layout)];
             let stage = |label, wgsl, vertex, fragment, buffer| {
                 let topology = wgpu::PrimitiveTopology::TriangleStrip;
-                let buffers = &[Some(buffer)];
-                Stage { label, wgsl, vertex, fragment, buffers, topology, color, samples, ..Stage::default() }
-                    .build(device, &layout)
+                let vertex_buffers = &[Some(buffer)];
+                let simplest = RenderStage::default();
+                RenderStage {
+                    label,
+                    wgsl,
+                    vertex,
+                    fragment,
+                    bindings,
+                    vertex_buffers,
+                    topology,
+                    color,
+                    samples,
+                    ..simplest
+                }
+                .build(device)
             };
             let segments = silhouette_shaders::render::LINE_SEGMENTS;
             let joins = silhouette_shaders::render::LINE_JOINS;
@@ -70,7 +81,7 @@ impl LinePass {
             Self {
                 segment_pipeline,
                 join_pipeline,
-                uniform: uniform_buffer(device, "lines", size_of::<LineUniform>()),
+                uniform: UniformBlock::new(device, "lines"),
                 layout,
                 bound: None,
                 segments: InstanceBuffer::default(),
@@ -123,7 +134,7 @@ impl LinePass {
             hide: u32::from(style.hidden == Hidden::Removed),
             _pad: 0,
         };
-        gpu.queue().write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
+        self.uniform.write(gpu.queue(), &uniform);
         if self.bound.as_ref().is_none_or(|(view, _)| view != depth) {
             let bind_group = gpu.scoped(|| self.bind(gpu.device(), depth))?;
             self.bound = Some((depth.clone(), bind_group));
@@ -132,14 +143,8 @@ impl LinePass {
     }
 
     fn bind(&self, device: &wgpu::Device, depth: &wgpu::TextureView) -> wgpu::BindGroup {
-        device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("lines"),
-            layout: &self.layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: self.uniform.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(depth) },
-            ],
-        })
+        let depth = wgpu::BindingResource::TextureView(depth);
+        bind_group(device, "lines", &self.layout, &[self.uniform.binding(), depth])
     }
 
     /// Records the strokes last prepared.

@@ -1,10 +1,10 @@
-//! The average of n x n samples, on the GPU. Twin of `shaders/render/box_downsample.wgsl` as to the uniform.
+//! The average of n x n samples, on the GPU. Stage: `shaders/render/box_downsample.wgsl`.
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::pipeline::{Stage, texture_entry, uniform_buffer, uniform_entry};
 use crate::target::{DEFAULT_FORMATS, Target};
 use bytemuck::{Pod, Zeroable};
+use silhouette_gpu::kit::{RenderStage, UniformBlock, bind_group, bind_layout, texture_entry, uniform_entry};
 
 /// Twin of the struct in `shaders/render/box_downsample.wgsl`.
 #[repr(C)]
@@ -17,45 +17,35 @@ struct BoxUniform {
 pub(super) struct BoxDownsample {
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,
-    uniform: wgpu::Buffer,
+    uniform: UniformBlock<BoxUniform>,
 }
 
 impl BoxDownsample {
     pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let device = gpu.device();
         gpu.scoped(|| {
-            let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("box downsample"),
-                entries: &[texture_entry(0, wgpu::TextureSampleType::Float { filterable: false }), uniform_entry(1)],
-            });
-            let pipeline = Stage {
+            let samples = texture_entry(0, wgpu::TextureSampleType::Float { filterable: false }, false);
+            let layout = bind_layout(device, "box downsample", &[samples, uniform_entry(1)]);
+            let pipeline = RenderStage {
                 label: "box downsample",
                 wgsl: silhouette_shaders::render::BOX_DOWNSAMPLE,
+                vertex: "full_screen",
                 fragment: "box_downsample",
+                bindings: &[Some(&layout)],
                 color: DEFAULT_FORMATS.color,
-                ..Stage::default()
+                ..RenderStage::default()
             }
-            .build(device, &layout);
-            Self { layout, pipeline, uniform: uniform_buffer(device, "box downsample", size_of::<BoxUniform>()) }
+            .build(device);
+            Self { layout, pipeline, uniform: UniformBlock::new(device, "box downsample") }
         })
     }
 
     /// Fills the colour of `pixels` with the averages of `samples`, whose sides are `n` times as long.
     pub fn run(&self, gpu: &Gpu, samples: &Target, n: u32, pixels: &Target) -> Result<(), GpuError> {
-        let uniform = BoxUniform { samples_per_side: n };
         let bind_group = gpu.scoped(|| {
-            gpu.queue().write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
-            gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("box downsample"),
-                layout: &self.layout,
-                entries: &[
-                    wgpu::BindGroupEntry {
-                        binding: 0,
-                        resource: wgpu::BindingResource::TextureView(samples.color_view()),
-                    },
-                    wgpu::BindGroupEntry { binding: 1, resource: self.uniform.as_entire_binding() },
-                ],
-            })
+            self.uniform.write(gpu.queue(), &BoxUniform { samples_per_side: n });
+            let source = wgpu::BindingResource::TextureView(samples.color_view());
+            bind_group(gpu.device(), "box downsample", &self.layout, &[source, self.uniform.binding()])
         })?;
         gpu.draw_over(pixels, |pass| {
             pass.set_pipeline(&self.pipeline);

@@ -1,5 +1,9 @@
 // A convex polygon: its corners' middle and its normal.
 
+#import "shared/mesh.wgsl"
+#import "image_precision/style.wgsl"
+#import "image_precision/fattened.wgsl"
+
 struct Polygon {
     first: u32,
     size: u32,

@@ -1,4 +1,7 @@
-// Numbers of the first layer, several samples a pixel.
+// Marks the faces of the first layer where the target has several samples per pixel, and lists the others.
+// Twin: crates/image_precision/src/mark_seen.rs
+
+#import "image_precision/marking.wgsl"
 
 @group(2) @binding(1) var seen: texture_multisampled_2d<f32>;
 

@@ -1,4 +1,6 @@
-// What every stage knows of the lines. Twin: crates/image_precision/src/style.rs
+// The style of lines, which every stage of the crate binds. Twin: crates/image_precision/src/style.rs
+
+#import "shared/line_polygon.wgsl"
 
 struct StyleUniform {
     // Recentred mesh space to clip space, as back faces are pulled.
@@ -8,19 +10,14 @@ struct StyleUniform {
     // Unit viewing axis, away from the viewer; w: pixels that a unit covers at depth 1 (in orthographic views, at all).
     axis: vec4<f32>,
     ink: vec4<f32>,
-    // How far a line reaches beside its edge in pixels: x + y / w at a clip-space w.
-    reach: vec2<f32>,
-    viewport_px: vec2<f32>,
-    // Unit direction in the image towards the light, times the share by which lines that face it are thinned.
-    light: vec2<f32>,
-    // Fattening is at most this many edge lengths.
+    // How lines are drawn beside their edges; fattening takes its reach and its viewport from here.
+    line: LinePolygon,
+    // Depths, as clip-space w, between which ink fades, and the share that it has lost at the far one.
+    fade: vec3<f32>,
+    // Fattening is at most this many edge lengths; 0: no limit.
     clamp_edges: f32,
     // Front faces with V.N below this are fattened too; 0: none.
     band: f32,
-    // Depths, as clip-space w, between which ink fades, and the share that it has lost at the far one.
-    fade: vec3<f32>,
-    // Nearest w that a line is drawn at.
-    near_w: f32,
     // Fattening: 0 exact, or one of the laws below.
     law: u32,
     // 0 solid, 1 dashes, 2 stipple.
@@ -29,21 +26,14 @@ struct StyleUniform {
     faces: u32,
     // Slots of the edge table less one; the table's size is a power of two. 0: every edge is drawn.
     slot_mask: u32,
-    // Bits of a slot that hold the number of a corner.
+    // Bits of a slot that hold the id of a corner.
     corner_mask: u32,
-    // Corners of every polygon, or 0: as the starts tell.
+    // Corners of every polygon, or 0: the table of starts states it.
     polygon_corners: u32,
-    // Towards the viewer in units of the depth buffer, for lines that lie on front faces.
-    lift: f32,
-    // Sides of a line's polygon around either end.
-    end_sides: u32,
-    // What each vertex of a fattened polygon tells: 0 nothing, or one of those below.
+    // What each vertex of a fattened polygon carries: 0 nothing, or one of the notes below.
     noted: u32,
-    // A triangle is drawn in place of a fattened one's own if it is at most this many times as large; 0: never.
+    // A fattened triangle is drawn as a cut triangle if that has at most this many times its area; 0: never.
     most_around: f32,
-    // Points of the polygon around the end of a line, in reaches from there: x beside the edge, y beyond its end. The first is
-    // the outer corner; one for each side and one more.
-    rim: array<vec4<f32>, 17>,
 }
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;
@@ -55,23 +45,18 @@ const NOTED_LEVEL: u32 = 1u;
 // V.N of the vertex's polygon.
 const NOTED_FACING: u32 = 2u;
 
-// Vertices of a line: the triangles of a polygon of two points more than there are sides around its ends.
-fn vertices_per_line() -> u32 {
-    return 6u * style.end_sides;
-}
-
 // From a point towards the viewer; not normalised.
 fn towards_viewer(p: vec3<f32>) -> vec3<f32> {
     return style.eye.xyz - p * style.eye.w;
 }
 
-// Whether a way in the image is nearer to level than to upright.
+// Whether a direction in the image is nearer to level than to upright.
 fn is_level(way: vec2<f32>) -> u32 {
     return u32(abs(way.x) > abs(way.y));
 }
 
-// Whether a texture leaves this place of a line blank. Dashes run with the axis of the image that the line is nearer to, so
-// that they do not begin anew at each edge.
+// Whether a texture leaves this pixel of a line blank. Dashes follow the axis of the image that is nearer to the line, so that
+// they do not start again at each edge.
 fn is_blank(level: u32, pixel: vec2<f32>) -> bool {
     let along = select(pixel.y, pixel.x, level != 0u);
     let cell = vec2<u32>(pixel) / 2u;

@@ -1,4 +1,6 @@
-// Ink of whatever has no texture.
+// Ink without a texture.
+
+#import "image_precision/style.wgsl"
 
 @fragment
 fn solid_fragment() -> @location(0) vec4<f32> {

@@ -4,6 +4,8 @@
 // of a triangle around it, and the three sides between cut off its corners. That costs a rasteriser less than the four
 // triangles of the hexagon.
 
+#import "image_precision/style.wgsl"
+
 // Corners, counter-clockwise: begin and end of the first edge, of the second, of the third.
 struct Hexagon {
     a: vec2<f32>,

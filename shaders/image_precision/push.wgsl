@@ -1,5 +1,7 @@
 // How far section 3.3 of Raskar and Cohen 1999 pushes the edges of a polygon. Twin: crates/image_precision/src/fatten.rs
 
+#import "image_precision/style.wgsl"
+
 // Never move an edge by more than this many times its depth: nearly edge-on polygons would have it without bound.
 const FARTHEST: f32 = 4.0;
 
@@ -8,8 +10,9 @@ fn push(middle: vec3<f32>, e: vec3<f32>, length_edge: f32, n: vec3<f32>) -> f32 
     let ray = -towards_viewer(middle);
     let is_perspective = style.eye.w != 0.0;
     // What lies before the near plane is pushed as if it were on it.
-    let depth = select(1.0, max(dot(ray, style.axis.xyz), style.near_w), is_perspective);
-    let width = max(style.reach.x + style.reach.y / depth, 0.0);
+    let depth = select(1.0, max(dot(ray, style.axis.xyz), style.line.shape.near_w), is_perspective);
+    let reach = style.line.shape.reach;
+    let width = max(reach.x + reach.y / depth, 0.0);
     // All of these are |ray| times as long as in the paper, which drops out.
     let across = cross(ray, e);
     let v_n = abs(dot(ray, n));

@@ -1,7 +1,8 @@
-// Section 4 of Raskar and Cohen 1999, polygons without orientation. Twin: crates/image_precision/src/unoriented.rs
-//
-// The nearest layer: every face drawn as its number, the numbers that are seen marked. All other faces are then drawn as
-// back faces are.
+// Marks the faces of the first layer and lists the others. The stage that imports this declares the texture of face
+// numbers, `seen`, with `samples` and `sample_at` to read it.
+
+#import "shared/invocation.wgsl"
+#import "image_precision/style.wgsl"
 
 @group(2) @binding(0) var<storage, read_write> first_layer: array<u32>;
 @group(2) @binding(2) var<storage, read_write> listed: array<u32>;

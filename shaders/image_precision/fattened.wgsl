@@ -1,4 +1,6 @@
-// Which polygons are fattened, and what they are listed in. Twin: crates/image_precision/src/fatten_list.rs
+// Which polygons are fattened, and what they are listed in. Twin: crates/image_precision/src/fat_polygons.rs
+
+#import "image_precision/style.wgsl"
 
 // Arguments of two draws and two counts, see below.
 @group(2) @binding(0) var<storage, read_write> arguments: array<atomic<u32>>;
