@@ -2,7 +2,7 @@
 //
 // A polygon of n corners has 2 n + 1 vertices, its middle and the ends of each pushed edge. The paper draws 2 n triangles about
 // the middle. Where the fattened polygon is convex, 2 n - 2 about its first vertex cover the same; polygons are convex
-// themselves, so that turning left at every vertex tells it.
+// themselves, so that it is convex if it turns left at every vertex.
 
 #import "shared/camera.wgsl"
 #import "shared/invocation.wgsl"
@@ -91,7 +91,7 @@ fn list_fan(p: Polygon, facing: f32) {
     let triangles = select(sides, sides - 2u, is_rim);
     let first = atomicAdd(&arguments[FAN_INDICES], 3u * triangles);
     for (var step = 0u; step < triangles; step++) {
-        // The first vertex of a triangle tells its note: that of the edge which it begins or ends.
+        // A triangle has the note of its first vertex: that of the edge which this vertex begins or ends.
         let begin = step + select(0u, 1u, is_rim);
         let at = first + 3u * step;
         indices[at] = rim + begin;

@@ -1,4 +1,4 @@
-//! Lists the edges of back faces on the adapter, those between two back faces left out. Stages:
+//! Lists the edges of back faces on the adapter, without those between two back faces. Stages:
 //! `shaders/image_precision/face_list.wgsl`, `back_edges.wgsl`.
 
 use crate::face_list::FaceList;

@@ -1,4 +1,4 @@
-//! Whether a pull survives the depth buffer: what one step of it is worth, and what to choose where a pull is less.
+//! Whether a pull survives the depth buffer: how large one depth step is, and what to choose where a pull is smaller.
 
 use crate::settings::Variant;
 use crate::{depth_range, scale};
@@ -39,7 +39,7 @@ impl DepthBits {
     }
 }
 
-/// What one step of a depth buffer is worth at a depth, in world units.
+/// One step of a depth buffer at a depth, in world units.
 pub fn depth_step(camera: &Camera, range: ClipRange, direction: DepthDirection, bits: DepthBits, depth: f64) -> f64 {
     let clip = camera.clip_matrix(range, direction);
     let value = clip.project_point3(silhouette_core::glam::DVec3::Z * -depth).z.clamp(0.0, 1.0);
@@ -48,7 +48,7 @@ pub fn depth_step(camera: &Camera, range: ClipRange, direction: DepthDirection, 
     (camera.depth_of_buffer_value(next, range, direction) - camera.depth_of_buffer_value(value, range, direction)).abs()
 }
 
-/// A pull that the depth buffer cannot tell from none somewhere on the mesh.
+/// A pull that is smaller than one depth step somewhere on the mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PullBelowDepthStep {
     /// The pull at that depth, in world units.
@@ -84,8 +84,7 @@ impl fmt::Display for PullBelowDepthStep {
 }
 
 /// `Some` where the pull of `variant` is below one step at the mesh's farthest point, where steps of a perspective are
-/// coarsest. Variants that do not pull in space, or whose pull is in depth steps themselves, never warn; neither does a
-/// pull of nothing, which is asked for.
+/// coarsest. `None` for variants that do not pull in space or that pull by depth steps, and for a pull of zero.
 pub fn check(
     variant: Variant,
     camera: &Camera,
@@ -100,7 +99,7 @@ pub fn check(
     let pull = match variant {
         Variant::FixedPull { radii } => radii * bounds.radius,
         Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => scale::pull_at(camera, depth, k),
-        // At the far plane itself a moved near plane pulls nothing; the mesh's middle tells more.
+        // At the far plane itself a moved near plane pulls nothing; the mesh's middle says more.
         Variant::DepthRange { plane, factor } if !is_orthographic => {
             depth_range::pull_at(range, plane, factor, middle.max(range.near)).max(0.0)
         }
@@ -138,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pull_below_a_step_is_told_with_what_to_choose() {
+    fn a_pull_below_a_step_is_reported_with_what_to_choose() {
         let (camera, bounds) = scene(4.0);
         let check = |variant, near, bits, direction| {
             check(variant, &camera, &bounds, ClipRange { near, far: 5.0 }, direction, bits)

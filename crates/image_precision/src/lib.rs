@@ -15,29 +15,29 @@
 //! | [`screen`] | ours | edges of back faces expanded in the image plane | outside, as wide as asked |
 //! | [`equal`] | 3.1 | depth test "equal" | (almost) none |
 //! | [`wireframe`] | 3.2 | edges of back faces as lines | half of the width shows outside |
-//! | [`fixed_pull`] | 3.2 | moved towards the camera | inside, as wide as the shape has it |
+//! | [`fixed_pull`] | 3.2 | moved towards the camera | inside, its width depends on the shape |
 //! | [`scale`] | 3.2 | scaled about the eye | the same |
 //! | [`depth_range`] | 3.2 | other near or far plane | the same |
 //! | [`offset`] | 3.2 | polygon offset | the same |
 //! | [`fatten`] | 3.3 | polygons fattened in their plane | outside, with spikes |
 //! | [`charcoal`] | 4 | the same, with front faces nearly edge-on | both sides |
-//! | [`unoriented`] | 4 | whatever is not in the nearest layer | as scaled |
+//! | [`unoriented`] | 4 | all faces that are not in the nearest layer | as for `scale` |
 //!
 //! # When to choose it
-//! For a triangle soup: no adjacency, no preparation, positions and triangles are enough. O(F) a view on the GPU; on the
-//! CPU nothing, unless the eye is within the mesh's bounding box, where telling inside from outside is O(F). (The renderer
-//! uploads positions once; a mesh that moves needs a renderer anew.) `screen` draws even lines; the paper's variants are
-//! for comparison, for their look, and where an adapter cannot run compute stages.
+//! For a triangle soup: positions and triangles are enough, without adjacency or preparation. O(F) per view on the GPU and
+//! nothing on the CPU, unless the eye is within the mesh's bounding box, where an O(F) test finds out whether it is inside.
+//! (The renderer uploads positions once; a mesh that moves needs a new renderer.) `screen` draws even lines; the paper's
+//! variants are for comparison, for their look, and for adapters without compute stages.
 //!
 //! # Depth
-//! Near and far plane fit the mesh tightly, with room for what is pulled, unless the application sets its own. A pull that
-//! the depth buffer cannot tell from none is told ([`depth_step`], `Renderer::pull_below_depth_step`).
+//! Near and far plane fit the mesh tightly, with room for what is pulled, unless the application sets its own. Pulls smaller
+//! than one depth step are reported ([`depth_step`], `Renderer::pull_below_depth_step`).
 //!
 //! # Departures from the paper
 //! 1. Near and far are widened, so that what is pulled across the near plane is not clipped. The paper does not mention it.
 //! 2. With the eye inside a closed mesh only back faces are in sight, and the paper's method turns the view black.
-//!    [`eye_inside`] recognises that without adjacency and leaves step 3 out; `eye-inside=draw` brings it back.
-//! 3. Each variant's own are told in its module.
+//!    [`eye_inside`] detects that without adjacency, and step 3 is skipped; `eye-inside=draw` draws it nevertheless.
+//! 3. Each variant's departures are listed in its module.
 //!
 //! # Input and output
 //! Triangles counter-clockwise from outside. Facing of drawn faces is decided by the rasteriser, of listed faces by the

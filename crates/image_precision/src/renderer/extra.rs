@@ -1,4 +1,4 @@
-//! [`ExtraLines`]: boundary edges and creases, drawn along.
+//! [`ExtraLines`]: boundary edges and creases, drawn in addition.
 
 use crate::back_edges::drawing_layout;
 use crate::screen;

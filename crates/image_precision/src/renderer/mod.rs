@@ -1,4 +1,4 @@
-//! [`Renderer`]: both steps in somebody's render pass, after what has to be listed before it.
+//! [`Renderer`]: both steps in the caller's render pass, and the lists that are made before it.
 
 mod back;
 mod extra;
@@ -44,9 +44,9 @@ impl DrawsLines for ImagePrecision {
 
 /// Draws front faces, and back faces or their edges as the variant says.
 ///
-/// On the device: 12 bytes a vertex and a face; for `screen` lists and a table of 24 to 32 bytes a face more, for fattening
-/// lists of 188 (216 where it is textured or charcoal), for `unoriented` two lists of 4 and two textures as large as the target,
-/// and with `unoriented-lines=screen` what `screen` takes. A view uploads about 550 bytes.
+/// Memory on the device: 12 bytes per vertex and per face; in addition per face for `screen` lists and a table of 24 to 32 bytes,
+/// for fattening lists of 188 (216 with textures or charcoal), for `unoriented` two lists of 4 and two textures of the
+/// target's size, and with `unoriented-lines=screen` also what `screen` takes. A view uploads about 550 bytes.
 #[derive(Debug)]
 pub struct Renderer {
     mesh: Arc<PreparedMesh>,
@@ -97,13 +97,13 @@ impl Renderer {
         })
     }
 
-    /// Near and far plane of the application, in place of those that fit the mesh tightly; `None` is those again. From the
-    /// next [`prepare`](LineRenderer::prepare) on.
+    /// Near and far plane of the application, in place of those that fit the mesh tightly; `None` restores the tight fit. Takes
+    /// effect with the next [`prepare`](LineRenderer::prepare).
     pub fn set_clip_range(&mut self, range: Option<ClipRange>) {
         self.range = range;
     }
 
-    /// Where the pull of the view last prepared is less than the depth buffer can tell.
+    /// Where the pull of the view last prepared is smaller than one depth step.
     pub fn pull_below_depth_step(&self) -> Option<PullBelowDepthStep> {
         self.below_step
     }
