@@ -19,7 +19,7 @@
 @group(2) @binding(3) var<storage, read_write> arguments: array<atomic<u32>>;
 
 // In a slot: counted more than once. Below it `FRONT`, and the corner where the edge begins, plus one; in the bits that no
-// corner needs a part of the hash, so that other edges are told without a look at their ends.
+// corner needs a part of the hash, so that most other edges are ruled out without comparing their ends.
 const SHARED: u32 = 0x80000000u;
 const LONGEST_PROBE: u32 = 64u;
 
@@ -84,7 +84,7 @@ fn count(corner: u32, front: u32) {
     list(corner | front);
 }
 
-// One invocation for each edge of a listed face: y tells which of the three.
+// One invocation per edge of a listed face; y is the edge, 0 to 2.
 @compute @workgroup_size(WORKGROUP)
 fn add_edges(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     for (var at = id.x; at < faces[0]; at += row(groups)) {

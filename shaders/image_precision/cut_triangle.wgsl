@@ -1,8 +1,10 @@
 // A triangle around a fattened triangle, in the coordinates of its plane.
 //
-// A fattened triangle is a hexagon: pushed edges and bevels, in turn. If it is convex, every other side, made longer, is a side
-// of a triangle around it, and the three sides between cut off its corners. That costs a rasteriser less than the four
-// triangles of the hexagon.
+// A fattened triangle is a hexagon of pushed edges and bevels in turn. If it is convex, every second side, extended, is a side of
+// a triangle around it, and the three sides between cut off its corners. A rasteriser draws it faster than the four triangles
+// of the hexagon.
+
+#import "image_precision/style.wgsl"
 
 #import "image_precision/style.wgsl"
 

@@ -58,7 +58,7 @@ fn list_cut(p: Polygon, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, facing: f32) -
     if !cut.is_found {
         return false;
     }
-    let axes = camera.to_clip * mat3x4<f32>(vec4<f32>(plane.x, 0.0), vec4<f32>(plane.y, 0.0), vec4<f32>(p.middle, 1.0));
+    let axes = style.shape_to_clip * mat3x4<f32>(vec4<f32>(plane.x, 0.0), vec4<f32>(plane.y, 0.0), vec4<f32>(p.middle, 1.0));
     let at = 2u * atomicAdd(&arguments[CUT_VERTICES], 3u);
     place_cut(at, axes, cut.hexagon, cut.around.bc, facing);
     place_cut(at + 2u, axes, cut.hexagon, cut.around.de, facing);
@@ -74,9 +74,9 @@ fn cut_triangles(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_work
     }
     let range = corner_range(index);
     let is_triangle = range.y - range.x == 3u;
-    let a = corner_position(range.x);
-    let b = corner_position(range.x + 1u);
-    let c = corner_position(range.x + 2u);
+    let a = shaped_corner(range.x);
+    let b = shaped_corner(range.x + 1u);
+    let c = shaped_corner(range.x + 2u);
     let p = triangle(range.x, a, b, c);
     let facing = polygon_facing(p);
     // Facing of other polygons is that of all of their corners.

@@ -2,7 +2,13 @@
 //
 // A polygon of n corners has 2 n + 1 vertices, its middle and the ends of each pushed edge. The paper draws 2 n triangles about
 // the middle. Where the fattened polygon is convex, 2 n - 2 about its first vertex cover the same; polygons are convex
-// themselves, so that turning left at every vertex tells it.
+// themselves, so that it is convex if it turns left at every vertex.
+
+#import "shared/camera.wgsl"
+#import "shared/invocation.wgsl"
+#import "image_precision/fattened.wgsl"
+#import "image_precision/polygon.wgsl"
+#import "image_precision/push.wgsl"
 
 #import "shared/camera.wgsl"
 #import "shared/invocation.wgsl"
@@ -11,7 +17,7 @@
 #import "image_precision/push.wgsl"
 
 fn place(vertex: u32, position: vec3<f32>, note: u32) {
-    places[vertex] = clip_position(position);
+    places[vertex] = style.shape_to_clip * vec4<f32>(position, 1.0);
     if style.noted != 0u {
         notes[vertex] = note;
     }
@@ -19,7 +25,7 @@ fn place(vertex: u32, position: vec3<f32>, note: u32) {
 
 // Whether the edge from a to b is nearer to level than to upright in the image.
 fn level_of(a: vec3<f32>, b: vec3<f32>) -> u32 {
-    let ends = array<vec4<f32>, 2>(clip_position(a), clip_position(b));
+    let ends = array<vec4<f32>, 2>(style.shape_to_clip * vec4<f32>(a, 1.0), style.shape_to_clip * vec4<f32>(b, 1.0));
     return is_level(0.5 * style.line.shape.viewport_px * (ends[1].xy / ends[1].w - ends[0].xy / ends[0].w));
 }
 
@@ -48,7 +54,7 @@ fn bevels_left(edge: vec3<f32>, pushed: vec3<f32>, next_edge: vec3<f32>, next_pu
 fn place_fan(p: Polygon, middle: u32, facing: f32) -> bool {
     var note = bitcast<u32>(facing);
     place(middle, p.middle, note);
-    let origin = corner_position(p.first);
+    let origin = shaped_corner(p.first);
     var a = origin;
     var first_edge: vec3<f32>;
     var first_pushed: vec3<f32>;
@@ -58,7 +64,7 @@ fn place_fan(p: Polygon, middle: u32, facing: f32) -> bool {
     for (var corner = 0u; corner < p.size; corner++) {
         var b = origin;
         if corner + 1u < p.size {
-            b = corner_position(p.first + corner + 1u);
+            b = shaped_corner(p.first + corner + 1u);
         }
         let edge = b - a;
         let pushed = push_edge(a, b, p);
@@ -91,7 +97,7 @@ fn list_fan(p: Polygon, facing: f32) {
     let triangles = select(sides, sides - 2u, is_rim);
     let first = atomicAdd(&arguments[FAN_INDICES], 3u * triangles);
     for (var step = 0u; step < triangles; step++) {
-        // The first vertex of a triangle tells its note: that of the edge which it begins or ends.
+        // A triangle has the note of its first vertex: that of the edge which this vertex begins or ends.
         let begin = step + select(0u, 1u, is_rim);
         let at = first + 3u * step;
         indices[at] = rim + begin;

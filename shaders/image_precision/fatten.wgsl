@@ -1,6 +1,7 @@
 // Draws fattened polygons, section 3.3 of Raskar and Cohen 1999, as `cut_triangles.wgsl` and `fans.wgsl` leave them.
 // Twin: crates/image_precision/src/fatten.rs
 
+#import "shared/color.wgsl"
 #import "image_precision/ink.wgsl"
 
 @vertex
@@ -28,7 +29,7 @@ fn textured_fragment(in: NotedVertex) -> @location(0) vec4<f32> {
 
 // Section 4, charcoal: the grey of the polygon, I = (1 + V.N) / 3.
 fn grey(facing: f32) -> vec4<f32> {
-    return vec4<f32>(vec3<f32>((1.0 + facing) / 3.0), 1.0);
+    return for_target(vec3<f32>((1.0 + facing) / 3.0), 1.0, style.is_linear);
 }
 
 @fragment

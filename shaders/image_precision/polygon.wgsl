@@ -1,4 +1,4 @@
-// A convex polygon: its corners' middle and its normal.
+// A convex polygon in the shape of the mesh: its corners' middle and its normal.
 
 #import "shared/mesh.wgsl"
 #import "image_precision/style.wgsl"
@@ -8,8 +8,13 @@ struct Polygon {
     first: u32,
     size: u32,
     middle: vec3<f32>,
-    // Unit, or zero where the polygon has no area that 32 bits can tell.
+    // Unit, or zero where the polygon has no area that 32 bits can hold.
     normal: vec3<f32>,
+}
+
+// Position of a corner in the shape.
+fn shaped_corner(corner: u32) -> vec3<f32> {
+    return shaped(corner_position(corner));
 }
 
 fn unit_or_zero(v: vec3<f32>) -> vec3<f32> {
@@ -30,10 +35,10 @@ fn polygon(range: vec2<u32>) -> Polygon {
     var sum = vec3<f32>(0.0);
     // Newell's: twice the area long.
     var normal = vec3<f32>(0.0);
-    let origin = corner_position(range.x);
-    var last = corner_position(range.y - 1u) - origin;
+    let origin = shaped_corner(range.x);
+    var last = shaped_corner(range.y - 1u) - origin;
     for (var corner = range.x; corner < range.y; corner++) {
-        let p = corner_position(corner) - origin;
+        let p = shaped_corner(corner) - origin;
         sum += p;
         normal += cross(last, p);
         last = p;
@@ -46,7 +51,7 @@ fn triangle(first: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Polygon {
     return Polygon(first, 3u, a + ((b - a) + (c - a)) / 3.0, unit_or_zero(cross(b - a, c - a)));
 }
 
-// V.N at its middle, towards the viewer.
+// V.N at its middle, towards the viewer. N is outward, as the mesh has it; a mirror image runs the other way round its corners.
 fn polygon_facing(p: Polygon) -> f32 {
-    return dot(p.normal, unit_or_zero(towards_viewer(p.middle)));
+    return style.shape_sign * dot(p.normal, unit_or_zero(towards_viewer(p.middle)));
 }

@@ -28,10 +28,11 @@ fn line_of_edge(@builtin(vertex_index) index: u32) -> LineVertex {
     let corner = edge & ~FRONT;
     let a = corner_position(corner);
     let b = corner_position(next_corner(corner));
-    // A back face lies to the right of its edges in the image, so that left is outwards.
-    let is_front = (edge & FRONT) != 0u;
-    let begin = clip_position(select(a, b, is_front));
-    return line_vertex(index % vertices, begin, clip_position(select(b, a, is_front)));
+    // A back face lies to the right of its edges in the image, so that left is outwards; a front face, and a back face of a view
+    // that mirrors, to the left.
+    let swaps = ((edge & FRONT) != 0u) != (style.turned != 0u);
+    let begin = clip_position(select(a, b, swaps));
+    return line_vertex(index % vertices, begin, clip_position(select(b, a, swaps)));
 }
 
 // Lines given by pairs of vertices, one after another.

@@ -5,11 +5,19 @@
 struct StyleUniform {
     // Recentred mesh space to clip space, as back faces are pulled.
     back_to_clip: mat4x4<f32>,
-    // The eye with w = 1, or the unit direction towards the viewer with w = 0; recentred mesh space.
+    // Recentred mesh space to the mesh's shape, which has the proportions of the world, and the shape to clip space.
+    shape: mat4x4<f32>,
+    shape_to_clip: mat4x4<f32>,
+    // The eye with w = 1, or the unit direction towards the viewer with w = 0: in recentred mesh space, and in the shape.
+    local_eye: vec4<f32>,
     eye: vec4<f32>,
-    // Unit viewing axis, away from the viewer; w: pixels that a unit covers at depth 1 (in orthographic views, at all).
+    // Unit viewing axis in the shape, away from the viewer; w: pixels that a unit covers at depth 1 (in orthographic views, at all).
     axis: vec4<f32>,
+    // Unit direction in the shape that points up in the image.
+    up: vec4<f32>,
+    // As the target takes it, premultiplied; and what it fades to.
     ink: vec4<f32>,
+    paper: vec4<f32>,
     // How lines are drawn beside their edges; fattening takes its reach and its viewport from here.
     line: LinePolygon,
     // Depths, as clip-space w, between which ink fades, and the share that it has lost at the far one.
@@ -34,6 +42,12 @@ struct StyleUniform {
     noted: u32,
     // A fattened triangle is drawn as a cut triangle if that has at most this many times its area; 0: never.
     most_around: f32,
+    // 1: front faces run clockwise in the image.
+    turned: u32,
+    // -1 where the shape is a mirror image of the mesh, otherwise 1.
+    shape_sign: f32,
+    // 1: the target takes linear light.
+    is_linear: u32,
 }
 
 @group(0) @binding(1) var<uniform> style: StyleUniform;
@@ -45,9 +59,14 @@ const NOTED_LEVEL: u32 = 1u;
 // V.N of the vertex's polygon.
 const NOTED_FACING: u32 = 2u;
 
-// From a point towards the viewer; not normalised.
+// From a point of the shape towards the viewer; not normalised.
 fn towards_viewer(p: vec3<f32>) -> vec3<f32> {
     return style.eye.xyz - p * style.eye.w;
+}
+
+// A point of recentred mesh space in the shape.
+fn shaped(p: vec3<f32>) -> vec3<f32> {
+    return (style.shape * vec4<f32>(p, 1.0)).xyz;
 }
 
 // Whether a direction in the image is nearer to level than to upright.
@@ -66,5 +85,5 @@ fn is_blank(level: u32, pixel: vec2<f32>) -> bool {
 // Ink at a depth, given as clip-space w.
 fn faded_ink(w: f32) -> vec4<f32> {
     let share = clamp((w - style.fade.x) / max(style.fade.y - style.fade.x, 1e-30), 0.0, 1.0) * style.fade.z;
-    return vec4<f32>(mix(style.ink.rgb, vec3<f32>(1.0), share), 1.0);
+    return mix(style.ink, style.paper, share);
 }

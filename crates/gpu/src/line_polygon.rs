@@ -143,7 +143,7 @@ mod tests {
                     assert!((point.length() - reach_px).abs() <= 2.0 * ROUNDING_PX, "{reach_px}: {point}");
                 }
             }
-            let last = points().last().unwrap();
+            let last = points().next_back().unwrap();
             let ahead = if is_centred { -points().next().unwrap().x } else { 0.0 };
             assert!((last.x - ahead).abs() < 1e-4, "{reach_px}: {last}");
         }

@@ -11,11 +11,9 @@ use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::shapes::by_name;
 use silhouette_core::view::{Camera, Framing};
-use silhouette_gpu::{DrawsLines, LineRenderer, MeshBuffers};
+use silhouette_gpu::{Cull, DrawsLines, FillPipelines, FillRenderer, FillStyle, FrameRenderer, FrameView, MeshBuffers};
 use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions, Renderer};
-use silhouette_render::{
-    AdapterChoice, Cull, DEFAULT_FORMATS, FillPass, FillStyle, Gpu, Load, PassView, Shade, Target,
-};
+use silhouette_render::{AdapterChoice, DEFAULT_FORMATS, Gpu, Load, Target, view_of_mesh};
 use std::error::Error;
 use std::path::Path;
 use std::sync::Arc;
@@ -51,19 +49,24 @@ fn profile(gpu: &Gpu, name: &str, mesh: &Arc<PreparedMesh>, size: u32) -> Result
     let framing = Framing::Perspective { fov_y_rad: 0.7 };
     let camera = Camera::framing(&bounds, DVec3::new(0.55, 0.35, 1.0), Vec3::Y, framing, [size; 2])?;
     let target = Target::new(gpu, [size; 2], DEFAULT_FORMATS)?;
-    let buffers = MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?;
-    let view = PassView::new(&camera, buffers.bounds(), DEFAULT_FORMATS.depth_direction);
+    let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?);
+    let view = view_of_mesh(&camera, &buffers)?;
     let mut fills = Vec::new();
     for cull in [Cull::None, Cull::Back] {
-        let fill = FillPass::new(gpu, DEFAULT_FORMATS, FillStyle { shade: Shade::Flat([1.0; 4]), cull })?;
-        fill.prepare(gpu, &buffers, &view);
+        let style = FillStyle { cull, ..FillStyle::PAPER };
+        let pipelines = Arc::new(FillPipelines::new(gpu.device(), DEFAULT_FORMATS, style));
+        let mut fill = FillRenderer::new(gpu.device(), &pipelines, &buffers);
+        fill.prepare(gpu.device(), gpu.queue(), &view)?;
         fills.push(fill);
     }
     let mut renderers: Vec<Renderer> = Vec::new();
     for (_, words) in VARIANTS {
         let method = ImagePrecision::new(mesh, ImagePrecisionOptions::parse(words.split(' '))?)?;
-        let mut renderer = method.renderer(gpu.device(), gpu.queue(), DEFAULT_FORMATS)?;
-        renderer.prepare(gpu.device(), gpu.queue(), &camera);
+        let pipelines = Arc::new(method.pipelines(gpu.device(), DEFAULT_FORMATS)?);
+        let mut renderer = method.renderer(gpu.device(), gpu.queue(), &pipelines, &buffers)?;
+        let range = renderer.clip_range(&camera, camera.clip_range(&bounds));
+        let view = FrameView::from_camera(&camera, range, DEFAULT_FORMATS.depth_direction)?;
+        renderer.prepare(gpu.device(), gpu.queue(), &view)?;
         renderers.push(renderer);
     }
 
@@ -78,12 +81,12 @@ fn profile(gpu: &Gpu, name: &str, mesh: &Arc<PreparedMesh>, size: u32) -> Result
             column += 1;
         };
         for fill in &fills {
-            note(gpu.draw(&target, Load::Clear(PAPER), |pass| fill.draw(pass, &buffers))?.wall_ms);
+            note(gpu.draw(&target, Load::Clear(PAPER), |pass| fill.draw(pass))?.wall_ms);
         }
         for renderer in &renderers {
             let encode = |encoder: &mut _| renderer.encode(encoder);
             note(gpu.draw_after(&target, Load::Clear(PAPER), encode, |pass| renderer.draw(pass))?.wall_ms);
-            // The list of the frame before is still there.
+            // The list of the previous frame is still there.
             note(gpu.draw(&target, Load::Clear(PAPER), |pass| renderer.draw(pass))?.wall_ms);
         }
     }

@@ -1,8 +1,8 @@
-//! Lists the edges of back faces on the adapter, those between two back faces left out. Stages:
+//! Lists the edges of back faces on the adapter, without those between two back faces. Stages:
 //! `shaders/image_precision/face_list.wgsl`, `back_edges.wgsl`.
 
-use crate::face_list::FaceList;
-use crate::stage::{buffers_group, compute, groups, storage_buffer, storage_entry};
+use crate::face_list::{FaceList, FaceListStage};
+use silhouette_gpu::kit::{bind_layout, buffers_group, compute_pipeline, storage_buffer, storage_entry, workgroups};
 use silhouette_gpu::{CameraBinding, MeshBinding, MeshTooLarge};
 use silhouette_shaders::image_precision::BACK_EDGES;
 
@@ -17,17 +17,46 @@ pub(crate) enum Listed {
     UnsharedLater,
 }
 
+/// The stages that make a list, shared by all renderers.
+#[derive(Debug, Clone)]
+pub(crate) struct BackEdgesStages {
+    listed: Listed,
+    faces: FaceListStage,
+    filling: wgpu::BindGroupLayout,
+    drawing: wgpu::BindGroupLayout,
+    add: wgpu::ComputePipeline,
+    list_unshared: wgpu::ComputePipeline,
+}
+
+impl BackEdgesStages {
+    pub fn new(device: &wgpu::Device, listed: Listed) -> Self {
+        let entries = [0, 1, 2, 3].map(|binding| storage_entry(binding, binding == 0));
+        let filling = bind_layout(device, "listing of edges", &entries);
+        let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
+        let layouts = [Some(&camera), Some(&mesh), Some(&filling)];
+        let listing = if listed == Listed::UnsharedLater { "list_later_layers" } else { "list_back_faces" };
+        let add = if listed == Listed::EveryEdge { "list_every_edge" } else { "add_edges" };
+        Self {
+            listed,
+            faces: FaceListStage::new(device, listing),
+            drawing: drawing_layout(device),
+            add: compute_pipeline(device, BACK_EDGES, add, &layouts),
+            list_unshared: compute_pipeline(device, BACK_EDGES, "list_unshared", &layouts),
+            filling,
+        }
+    }
+}
+
 /// A list of edges that is made anew for each view, without the CPU.
 #[derive(Debug)]
 pub(crate) struct BackEdges {
+    stages: BackEdgesStages,
     faces: FaceList,
     slots: u32,
     table: wgpu::Buffer,
     arguments: wgpu::Buffer,
     filling: wgpu::BindGroup,
     drawing: wgpu::BindGroup,
-    add: wgpu::ComputePipeline,
-    list_unshared: wgpu::ComputePipeline,
 }
 
 /// Slots that an invocation of the listing stage reads at once.
@@ -35,10 +64,7 @@ const SLOTS_PER_INVOCATION: u32 = 4;
 
 /// Layout of the list for the stage that draws it.
 pub(crate) fn drawing_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("lines to draw"),
-        entries: &[storage_entry(0, true)],
-    })
+    bind_layout(device, "lines to draw", &[storage_entry(0, true)])
 }
 
 /// Arguments of an indirect draw whose vertices stages count: one instance of none so far.
@@ -49,40 +75,27 @@ pub(crate) fn draw_arguments(device: &wgpu::Device, queue: &wgpu::Queue) -> Resu
 }
 
 impl BackEdges {
-    /// `first_layer` holds a number a face where faces behind the first layer are asked for.
+    /// `first_layer` holds one word per face where faces behind the first layer are asked for.
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
+        stages: &BackEdgesStages,
         faces: u32,
-        listed: Listed,
         first_layer: Option<&wgpu::Buffer>,
     ) -> Result<Self, MeshTooLarge> {
-        let slots = if listed == Listed::EveryEdge { 1 } else { slots(faces) };
+        let slots = if stages.listed == Listed::EveryEdge { 1 } else { slots(faces) };
         let none = wgpu::BufferUsages::empty();
         let table = storage_buffer(device, "edge table", 4 * u64::from(slots), none)?;
         let list = storage_buffer(device, "edges of back faces", 12 * u64::from(faces), none)?;
         let arguments = draw_arguments(device, queue)?;
-        let filling_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("listing of edges"),
-            entries: &[0, 1, 2, 3].map(|binding| storage_entry(binding, binding == 0)),
-        });
         let nothing = storage_buffer(device, "no first layer", 4, none)?;
-        let listing = if listed == Listed::UnsharedLater { "list_later_layers" } else { "list_back_faces" };
-        let faces = FaceList::new(device, faces, listing, first_layer.unwrap_or(&nothing))?;
-        let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
-        let layouts = [Some(&camera), Some(&mesh), Some(&filling_layout)];
-        let add = if listed == Listed::EveryEdge { "list_every_edge" } else { "add_edges" };
+        let faces = FaceList::new(device, &stages.faces, faces, first_layer.unwrap_or(&nothing))?;
+        let filled = [faces.entries(), &table, &list, &arguments];
         Ok(Self {
             slots,
-            filling: buffers_group(
-                device,
-                "listing of edges",
-                &filling_layout,
-                &[faces.entries(), &table, &list, &arguments],
-            ),
-            drawing: buffers_group(device, "lines to draw", &drawing_layout(device), &[&list]),
-            add: compute(device, BACK_EDGES, add, &layouts),
-            list_unshared: compute(device, BACK_EDGES, "list_unshared", &layouts),
+            filling: buffers_group(device, "listing of edges", &stages.filling, &filled),
+            drawing: buffers_group(device, "lines to draw", &stages.drawing, &[&list]),
+            stages: stages.clone(),
             faces,
             table,
             arguments,
@@ -109,11 +122,11 @@ impl BackEdges {
         pass.set_bind_group(1, mesh.bind_group(), &[]);
         self.faces.encode(&mut pass);
         pass.set_bind_group(2, &self.filling, &[]);
-        pass.set_pipeline(&self.add);
+        pass.set_pipeline(&self.stages.add);
         self.faces.dispatch(&mut pass, 3);
         if self.slots > 1 {
-            pass.set_pipeline(&self.list_unshared);
-            let [x, y] = groups(self.slots / SLOTS_PER_INVOCATION);
+            pass.set_pipeline(&self.stages.list_unshared);
+            let [x, y] = workgroups(self.slots / SLOTS_PER_INVOCATION);
             pass.dispatch_workgroups(x, y, 1);
         }
     }

@@ -7,8 +7,7 @@
 //! A near plane that moves out clips what lies before it. The renderer gives front faces a near plane that is as much
 //! farther in, so that nothing is lost.
 
-use silhouette_core::glam::DMat4;
-use silhouette_core::view::{Camera, ClipRange, DepthDirection};
+use silhouette_core::view::ClipRange;
 
 silhouette_core::option_choice! {
     /// The plane that back faces see elsewhere.
@@ -24,14 +23,27 @@ silhouette_core::option_choice! {
 const LEAST_SHARE: f64 = 0.01;
 
 /// View to clip space for back faces.
-pub fn clip(camera: &Camera, range: ClipRange, direction: DepthDirection, plane: MovedPlane, factor: f64) -> DMat4 {
-    camera.clip_matrix(moved(range, plane, factor), direction)
+#[cfg(feature = "gpu")]
+pub(crate) fn projection(
+    view: &silhouette_gpu::FrameView,
+    plane: MovedPlane,
+    factor: f64,
+) -> silhouette_core::glam::DMat4 {
+    let law = view.depth_law();
+    let z = law.z_row(moved(law.range(), plane, factor));
+    let mut projection = view.projection();
+    (projection.z_axis.z, projection.w_axis.z) = (z.z, z.w);
+    projection
 }
 
 /// The range that back faces see: the plane's depth times `factor`, the far plane kept beyond the near one. A near plane
-/// at or behind the eye, which only orthographic views have, moves by `factor - 1` of the way to the far plane.
+/// at or behind the eye, which only orthographic views have, moves by `factor - 1` of the way to the far plane. A far plane that
+/// is infinitely far stays there.
 pub fn moved(range: ClipRange, plane: MovedPlane, factor: f64) -> ClipRange {
     let ClipRange { near, far } = range;
+    if far.is_infinite() {
+        return if plane == MovedPlane::Near { ClipRange { near: near * factor, far } } else { range };
+    }
     let least = LEAST_SHARE * (far - near);
     match plane {
         MovedPlane::Near if near > 0.0 => ClipRange { near: (near * factor).min(far - least), far },
@@ -62,8 +74,11 @@ fn share(factor: f64) -> f64 {
 /// How far a moved plane brings a point at a depth nearer to the viewer in a perspective, in world units; negative where
 /// it is pushed away: the depth that stands for the same buffer value in `range` as the point's own in the moved one.
 pub fn pull_at(range: ClipRange, plane: MovedPlane, factor: f64, depth: f64) -> f64 {
-    let ClipRange { near, far } = moved(range, plane, factor);
-    let value = far * (depth - near) / (depth * (far - near));
+    let there = moved(range, plane, factor);
+    if range.far.is_infinite() {
+        return depth * (1.0 - range.near / there.near);
+    }
+    let value = there.far * (depth - there.near) / (depth * (there.far - there.near));
     let ClipRange { near, far } = range;
     depth - far * near / (far - value * (far - near))
 }
@@ -91,6 +106,16 @@ mod tests {
         assert!((pull_at(RANGE, MovedPlane::Near, 1.0 + step, depth) / by_near - 1.0).abs() < 1e-4);
         let by_far = depth * (depth - near) * (step * far) / (far * (far - near));
         assert!((pull_at(RANGE, MovedPlane::Far, 1.0 + step, depth) / by_far - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn an_infinite_far_plane_is_the_limit_of_a_far_one() {
+        let [infinite, far] = [f64::INFINITY, 1e9].map(|far| ClipRange { near: 1.0, far });
+        for depth in [1.5, 4.0] {
+            let [a, b] = [infinite, far].map(|range| pull_at(range, MovedPlane::Near, 1.05, depth));
+            assert!((a - b).abs() < 1e-6 && a > 0.0, "{a} {b}");
+        }
+        assert_eq!(moved(infinite, MovedPlane::Far, 1.5), infinite);
     }
 
     #[test]

@@ -1,9 +1,10 @@
-//! Whether a pull survives the depth buffer: what one step of it is worth, and what to choose where a pull is less.
+//! Whether a pull survives the depth buffer: how large one depth step is, and what to choose where a pull is smaller.
 
+use crate::depth_range;
 use crate::settings::Variant;
-use crate::{depth_range, scale};
 use silhouette_core::mesh::Bounds;
-use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
+use silhouette_core::view::DepthDirection;
+use silhouette_gpu::{DepthLaw, FrameView};
 use std::fmt;
 
 /// How a depth buffer stores its values.
@@ -39,16 +40,15 @@ impl DepthBits {
     }
 }
 
-/// What one step of a depth buffer is worth at a depth, in world units.
-pub fn depth_step(camera: &Camera, range: ClipRange, direction: DepthDirection, bits: DepthBits, depth: f64) -> f64 {
-    let clip = camera.clip_matrix(range, direction);
-    let value = clip.project_point3(silhouette_core::glam::DVec3::Z * -depth).z.clamp(0.0, 1.0);
+/// One step of a depth buffer at a depth, in units of view space.
+pub fn depth_step(law: &DepthLaw, bits: DepthBits, depth: f64) -> f64 {
+    let value = law.value_at(depth).clamp(0.0, 1.0);
     let step = bits.step_at(value);
     let next = if value + step <= 1.0 { value + step } else { value - step };
-    (camera.depth_of_buffer_value(next, range, direction) - camera.depth_of_buffer_value(value, range, direction)).abs()
+    (law.depth_of_value(next) - law.depth_of_value(value)).abs()
 }
 
-/// A pull that the depth buffer cannot tell from none somewhere on the mesh.
+/// A pull that is smaller than one depth step somewhere on the mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PullBelowDepthStep {
     /// The pull at that depth, in world units.
@@ -84,29 +84,24 @@ impl fmt::Display for PullBelowDepthStep {
 }
 
 /// `Some` where the pull of `variant` is below one step at the mesh's farthest point, where steps of a perspective are
-/// coarsest. Variants that do not pull in space, or whose pull is in depth steps themselves, never warn; neither does a
-/// pull of nothing, which is asked for.
-pub fn check(
-    variant: Variant,
-    camera: &Camera,
-    bounds: &Bounds,
-    range: ClipRange,
-    direction: DepthDirection,
-    bits: DepthBits,
-) -> Option<PullBelowDepthStep> {
-    let middle = -camera.view_matrix().transform_point3(bounds.center).z;
-    let depth = (middle + bounds.radius).min(range.far);
-    let is_orthographic = matches!(camera.projection(), Projection::Orthographic { .. });
+/// coarsest. `None` for variants that do not pull in space or that pull by depth steps, and for a pull of zero.
+pub fn check(variant: Variant, view: &FrameView, bounds: &Bounds, bits: DepthBits) -> Option<PullBelowDepthStep> {
+    let law = view.depth_law();
+    let (range, direction) = (law.range(), law.direction());
+    let (middle, radius) = (view.depth(bounds.center), bounds.radius * view.largest_scale());
+    let depth = (middle + radius).min(range.far);
     let pull = match variant {
-        Variant::FixedPull { radii } => radii * bounds.radius,
-        Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => scale::pull_at(camera, depth, k),
-        // At the far plane itself a moved near plane pulls nothing; the mesh's middle tells more.
-        Variant::DepthRange { plane, factor } if !is_orthographic => {
+        Variant::FixedPull { radii } => radii * radius,
+        Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => {
+            (1.0 - k) * if view.is_perspective() { depth } else { middle }
+        }
+        // At the far plane itself a moved near plane pulls nothing; the mesh's middle says more.
+        Variant::DepthRange { plane, factor } if view.is_perspective() => {
             depth_range::pull_at(range, plane, factor, middle.max(range.near)).max(0.0)
         }
         _ => return None,
     };
-    let step = depth_step(camera, range, direction, bits, depth);
+    let step = depth_step(law, bits, depth);
     let near_to_far = range.near / range.far;
     (pull > 0.0 && pull < step).then_some(PullBelowDepthStep { pull, step, depth, bits, direction, near_to_far })
 }
@@ -115,33 +110,36 @@ pub fn check(
 mod tests {
     use super::*;
     use silhouette_core::glam::{DVec3, Vec3};
+    use silhouette_core::view::{Camera, ClipRange, Projection};
 
-    fn scene(distance: f32) -> (Camera, Bounds) {
+    fn scene(distance: f32, range: ClipRange, direction: DepthDirection) -> (FrameView, Bounds) {
         let projection = Projection::Perspective { fov_y_rad: 0.8 };
         let bounds = Bounds { min: DVec3::NEG_ONE, max: DVec3::ONE, center: DVec3::ZERO, radius: 1.0 };
-        (Camera::new(Vec3::Z * distance, Vec3::ZERO, Vec3::Y, projection, [64, 64]).unwrap(), bounds)
+        let camera = Camera::new(Vec3::Z * distance, Vec3::ZERO, Vec3::Y, projection, [64, 64]).unwrap();
+        (FrameView::from_camera(&camera, range, direction).unwrap(), bounds)
     }
 
     #[test]
-    fn steps_are_worth_what_the_formula_for_even_spacing_says() {
-        let (camera, _) = scene(4.0);
+    fn steps_are_as_large_as_the_formula_for_even_spacing_says() {
         let range = ClipRange { near: 0.01, far: 10.0 };
+        let (standard, _) = scene(4.0, range, DepthDirection::Standard);
         for (bits, count) in [(DepthBits::Unorm16, 65_535.0), (DepthBits::Unorm24, 16_777_215.0)] {
             for depth in [1.0, 5.0] {
                 let formula = depth * depth * (range.far - range.near) / (range.far * range.near * count);
-                let step = depth_step(&camera, range, DepthDirection::Standard, bits, depth);
+                let step = depth_step(standard.depth_law(), bits, depth);
                 assert!((step / formula - 1.0).abs() < 0.02, "{bits:?} at {depth}: {step} {formula}");
             }
         }
-        let float = depth_step(&camera, range, DepthDirection::Reversed, DepthBits::Float32, 5.0);
+        let (reversed, _) = scene(4.0, range, DepthDirection::Reversed);
+        let float = depth_step(reversed.depth_law(), DepthBits::Float32, 5.0);
         assert!(float < 1e-6, "{float}");
     }
 
     #[test]
-    fn a_pull_below_a_step_is_told_with_what_to_choose() {
-        let (camera, bounds) = scene(4.0);
+    fn a_pull_below_a_step_is_reported_with_what_to_choose() {
         let check = |variant, near, bits, direction| {
-            check(variant, &camera, &bounds, ClipRange { near, far: 5.0 }, direction, bits)
+            let (view, bounds) = scene(4.0, ClipRange { near, far: 5.0 }, direction);
+            check(variant, &view, &bounds, bits)
         };
         let scale = Variant::Scale { k: 0.99 };
         let standard = DepthDirection::Standard;
@@ -157,10 +155,7 @@ mod tests {
 
     #[test]
     fn a_fixed_pull_from_afar_is_below_a_step() {
-        let (camera, bounds) = scene(1e6);
-        let range = ClipRange { near: 1.0, far: 2e6 };
-        let variant = Variant::FixedPull { radii: 0.03 };
-        let check = |variant| check(variant, &camera, &bounds, range, DepthDirection::Standard, DepthBits::Float32);
-        assert!(check(variant).is_some());
+        let (view, bounds) = scene(1e6, ClipRange { near: 1.0, far: 2e6 }, DepthDirection::Standard);
+        assert!(check(Variant::FixedPull { radii: 0.03 }, &view, &bounds, DepthBits::Float32).is_some());
     }
 }

@@ -5,12 +5,14 @@
 //! there. [`scale`](crate::scale) about the eye has no such shift. t is in radii of the bounding sphere: an absolute t
 //! vanishes below a depth step from afar, which the renderer warns of.
 
-use silhouette_core::glam::{DMat4, DVec3};
-use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
+use silhouette_core::view::{Camera, ClipRange, Projection};
 
 /// View to clip space for back faces pulled by `pull` world units.
-pub fn clip(camera: &Camera, range: ClipRange, direction: DepthDirection, pull: f64) -> DMat4 {
-    camera.clip_matrix(range, direction) * DMat4::from_translation(DVec3::Z * pull)
+#[cfg(feature = "gpu")]
+pub(crate) fn projection(view: &silhouette_gpu::FrameView, pull: f64) -> silhouette_core::glam::DMat4 {
+    use silhouette_core::glam::{DMat4, DVec3};
+    let toward_viewer = DVec3::Z * view.depth_law().view_z_of_depth(-pull);
+    view.projection() * DMat4::from_translation(toward_viewer)
 }
 
 /// `range` with its near plane where the pull brings a point on it. In a perspective what is pulled past the eye is lost.
@@ -28,19 +30,22 @@ pub fn radial_shift_px(from_center_px: f64, pull: f64, depth: f64) -> f64 {
     from_center_px * pull / (depth - pull)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "gpu"))]
 mod tests {
     use super::*;
-    use silhouette_core::glam::Vec3;
+    use silhouette_core::glam::{DVec3, Vec3};
+    use silhouette_core::view::DepthDirection;
+    use silhouette_gpu::FrameView;
 
     #[test]
     fn points_shift_outwards_as_the_law_says() {
         let projection = Projection::Perspective { fov_y_rad: 0.8 };
         let camera = Camera::new(Vec3::Z * 4.0, Vec3::ZERO, Vec3::Y, projection, [400, 400]).unwrap();
         let range = ClipRange { near: 1.0, far: 9.0 };
+        let frame_view = FrameView::from_camera(&camera, range, DepthDirection::Reversed).unwrap();
         for (view, pull) in [(DVec3::new(0.7, 0.0, -3.0), 0.03), (DVec3::new(0.0, -0.4, -5.0), 0.2)] {
             let [before, after] = [0.0, pull].map(|pull| {
-                let ndc = clip(&camera, range, DepthDirection::Reversed, pull).project_point3(view);
+                let ndc = super::projection(&frame_view, pull).project_point3(view);
                 200.0 * ndc.truncate().length()
             });
             assert!((after - before - radial_shift_px(before, pull, -view.z)).abs() < 1e-9);
@@ -51,9 +56,9 @@ mod tests {
     fn nothing_is_pulled_across_the_widened_near_plane() {
         for projection in [Projection::Perspective { fov_y_rad: 0.8 }, Projection::Orthographic { height: 3.0 }] {
             let camera = Camera::new(Vec3::Z * 4.0, Vec3::ZERO, Vec3::Y, projection, [64, 64]).unwrap();
-            let range = ClipRange { near: 1.5, far: 8.0 };
-            let widened = widened(&camera, range, 0.25);
-            let nearest = clip(&camera, widened, DepthDirection::Standard, 0.25).project_point3(DVec3::Z * -1.5);
+            let widened = widened(&camera, ClipRange { near: 1.5, far: 8.0 }, 0.25);
+            let view = FrameView::from_camera(&camera, widened, DepthDirection::Standard).unwrap();
+            let nearest = super::projection(&view, 0.25).project_point3(DVec3::Z * -1.5);
             assert!(nearest.z > -1e-12, "{nearest}");
         }
     }

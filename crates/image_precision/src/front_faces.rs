@@ -1,18 +1,17 @@
 //! Step 2: front faces, white, shaded or only in depth. Stage: `shaders/image_precision/front_faces.wgsl`.
 
 use crate::settings::Interior;
-use crate::stage::{POSITIONS, Stage};
-use silhouette_gpu::TargetFormats;
+use silhouette_gpu::kit::{RenderStage, WoundPipeline};
+use silhouette_gpu::{CameraBinding, POSITION_LAYOUT, TargetFormats};
 
-/// Front faces, or all of them for meshes whose winding says nothing, over everything farther; `None` where they are not
-/// drawn.
+/// Front faces, or all of them for meshes whose winding says nothing (`culled`), over everything farther. `None` where they are
+/// not drawn.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
-    layouts: &[Option<&wgpu::BindGroupLayout>],
     formats: TargetFormats,
     interior: Interior,
     culled: Option<wgpu::Face>,
-) -> Option<wgpu::RenderPipeline> {
+) -> Option<WoundPipeline> {
     let (vertex, fragment) = match interior {
         Interior::None => return None,
         Interior::Paper | Interior::DepthOnly => ("paper_vertex", "paper_fragment"),
@@ -20,20 +19,23 @@ pub(crate) fn pipeline(
         Interior::Grey => ("front_vertex", "grey_fragment"),
         Interior::Gooch => ("front_vertex", "gooch_fragment"),
     };
-    let write_mask = match interior {
-        Interior::DepthOnly => wgpu::ColorWrites::empty(),
-        _ => wgpu::ColorWrites::ALL,
-    };
-    let stage = Stage {
-        label: "image precision: front faces",
-        wgsl: silhouette_shaders::image_precision::FRONT_FACES,
-        vertex,
-        fragment,
-        buffers: POSITIONS,
-        culled,
-        polygon_mode: wgpu::PolygonMode::Fill,
-        depth: formats.depth_state(formats.nearer()),
-    };
-    let target = wgpu::ColorTargetState { write_mask, ..formats.color.into() };
-    Some(stage.build_for(device, layouts, target, formats.samples))
+    let writes = if interior == Interior::DepthOnly { wgpu::ColorWrites::empty() } else { wgpu::ColorWrites::ALL };
+    Some(WoundPipeline::new(device, move |device, front_face| {
+        RenderStage {
+            label: "image precision: front faces",
+            wgsl: silhouette_shaders::image_precision::FRONT_FACES,
+            vertex,
+            fragment,
+            bindings: &[Some(&CameraBinding::layout(device))],
+            vertex_buffers: &[Some(POSITION_LAYOUT)],
+            front_face,
+            cull_mode: culled,
+            depth: Some(formats.depth_state(formats.nearer())),
+            color: formats.color,
+            writes,
+            samples: formats.samples,
+            ..RenderStage::default()
+        }
+        .build(device)
+    }))
 }

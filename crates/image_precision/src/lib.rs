@@ -15,32 +15,32 @@
 //! | [`screen`] | ours | edges of back faces expanded in the image plane | outside, as wide as asked |
 //! | [`equal`] | 3.1 | depth test "equal" | (almost) none |
 //! | [`wireframe`] | 3.2 | edges of back faces as lines | half of the width shows outside |
-//! | [`fixed_pull`] | 3.2 | moved towards the camera | inside, as wide as the shape has it |
+//! | [`fixed_pull`] | 3.2 | moved towards the camera | inside, its width depends on the shape |
 //! | [`scale`] | 3.2 | scaled about the eye | the same |
 //! | [`depth_range`] | 3.2 | other near or far plane | the same |
 //! | [`offset`] | 3.2 | polygon offset | the same |
 //! | [`fatten`] | 3.3 | polygons fattened in their plane | outside, with spikes |
 //! | [`charcoal`] | 4 | the same, with front faces nearly edge-on | both sides |
-//! | [`unoriented`] | 4 | whatever is not in the nearest layer | as scaled |
+//! | [`unoriented`] | 4 | all faces that are not in the nearest layer | as for `scale` |
 //!
 //! # When to choose it
-//! For a triangle soup: no adjacency, no preparation, positions and triangles are enough. O(F) a view on the GPU; on the
-//! CPU nothing, unless the eye is within the mesh's bounding box, where telling inside from outside is O(F). (The renderer
-//! uploads positions once; a mesh that moves needs a renderer anew.) `screen` draws even lines; the paper's variants are
-//! for comparison, for their look, and where an adapter cannot run compute stages.
+//! For a triangle soup: positions and triangles are enough, without adjacency or preparation. O(F) per view on the GPU and
+//! nothing on the CPU, unless the eye is within the mesh's bounding box, where an O(F) test finds out whether it is inside.
+//! Positions may change every frame (`MeshBuffers::set_positions`, or a buffer of the application's). `screen` draws even lines; the paper's
+//! variants are for comparison, for their look, and for adapters without compute stages.
 //!
 //! # Depth
-//! Near and far plane fit the mesh tightly, with room for what is pulled, unless the application sets its own. A pull that
-//! the depth buffer cannot tell from none is told ([`depth_step`], `Renderer::pull_below_depth_step`).
+//! Near and far plane are the application's; `Renderer::clip_range` says which depths hold what is pulled too. Pulls smaller
+//! than one depth step are reported ([`depth_step`], `Renderer::pull_below_depth_step`).
 //!
 //! # Departures from the paper
-//! 1. Near and far are widened, so that what is pulled across the near plane is not clipped. The paper does not mention it.
+//! 1. Near and far should be widened, so that what is pulled across the near plane is not clipped. The paper does not mention it.
 //! 2. With the eye inside a closed mesh only back faces are in sight, and the paper's method turns the view black.
-//!    [`eye_inside`] recognises that without adjacency and leaves step 3 out; `eye-inside=draw` brings it back.
-//! 3. Each variant's own are told in its module.
+//!    [`eye_inside`] detects that without adjacency, and step 3 is skipped; `eye-inside=draw` draws it nevertheless.
+//! 3. Each variant's departures are listed in its module.
 //!
 //! # Input and output
-//! Triangles counter-clockwise from outside. Facing of drawn faces is decided by the rasteriser, of listed faces by the
+//! Triangles counter-clockwise from outside; model matrices that mirror are taken into account. Facing of drawn faces is decided by the rasteriser, of listed faces by the
 //! sign of their plane at the eye; they differ at most for faces that are edge-on, which cover no pixel. Objects that touch
 //! or intersect get lines along their contact as well.
 //!
@@ -53,34 +53,47 @@
 
 #[cfg(feature = "gpu")]
 mod back_edges;
+#[cfg(feature = "gpu")]
+mod back_faces;
 pub mod charcoal;
+#[cfg(feature = "gpu")]
+mod cut_triangles;
 pub mod depth_range;
+#[cfg(feature = "gpu")]
 pub mod depth_step;
 pub mod equal;
 pub mod eye_inside;
 #[cfg(feature = "gpu")]
 mod face_list;
-pub mod fatten;
 #[cfg(feature = "gpu")]
-mod fatten_list;
+mod fans;
+#[cfg(feature = "gpu")]
+mod fat_polygons;
+pub mod fatten;
 pub mod feature_edges;
 #[cfg(feature = "gpu")]
 mod first_layer;
 pub mod fixed_pull;
 #[cfg(feature = "gpu")]
 mod front_faces;
+#[cfg(feature = "gpu")]
+mod ink;
+#[cfg(feature = "gpu")]
+mod later_faces;
 mod line_width;
+#[cfg(feature = "gpu")]
+mod mark_seen;
 mod method;
 pub mod offset;
 pub mod options;
+#[cfg(feature = "gpu")]
+mod pipelines;
 mod polygons;
 #[cfg(feature = "gpu")]
 mod renderer;
 pub mod scale;
 pub mod screen;
 mod settings;
-#[cfg(feature = "gpu")]
-mod stage;
 #[cfg(feature = "gpu")]
 mod style;
 pub mod unoriented;
@@ -89,6 +102,8 @@ pub mod wireframe;
 pub use line_width::{LineWidth, WidthOverDepth, WidthUnit};
 pub use method::ImagePrecision;
 pub use options::ImagePrecisionOptions;
+#[cfg(feature = "gpu")]
+pub use pipelines::Pipelines;
 pub use polygons::Polygons;
 #[cfg(feature = "gpu")]
 pub use renderer::Renderer;

@@ -1,8 +1,6 @@
 //! [`LineWidth`]: how wide lines are, in the unit that the user thinks in.
 
-use silhouette_core::mesh::Bounds;
-use silhouette_core::view::{Camera, Projection};
-
+#[cfg(feature = "gpu")]
 const MM_PER_INCH: f64 = 25.4;
 
 /// Unit of a line's width.
@@ -49,40 +47,50 @@ impl WidthOverDepth {
     }
 }
 
+#[cfg(feature = "gpu")]
 impl LineWidth {
     /// What the width comes to in a view of a mesh with these bounds.
-    pub fn over_depth(&self, camera: &Camera, bounds: &Bounds) -> WidthOverDepth {
-        let height_px = f64::from(camera.size()[1]);
-        let value = self.value * self.clutter_factor(camera, bounds);
+    pub fn over_depth(
+        &self,
+        view: &silhouette_gpu::FrameView,
+        bounds: &silhouette_core::mesh::Bounds,
+    ) -> WidthOverDepth {
+        let height_px = f64::from(view.viewport().size_px[1]);
+        let value = self.value * self.clutter_factor(view, bounds);
         let constant = |constant_px| WidthOverDepth { constant_px, px_at_depth_1: 0.0 };
         match self.unit {
             WidthUnit::Pixels => constant(value),
             WidthUnit::Millimetres { dpi } => constant(value * dpi / MM_PER_INCH),
             WidthUnit::HeightPercent => constant(value * 0.01 * height_px),
             WidthUnit::World => {
-                let px = value * camera.pixels_per_unit(1.0);
-                match camera.projection() {
-                    Projection::Perspective { .. } => WidthOverDepth { constant_px: 0.0, px_at_depth_1: px },
-                    Projection::Orthographic { .. } => constant(px),
+                let px = value * view.pixels_per_unit(1.0);
+                if view.is_perspective() {
+                    WidthOverDepth { constant_px: 0.0, px_at_depth_1: px }
+                } else {
+                    constant(px)
                 }
             }
         }
     }
 
-    fn clutter_factor(&self, camera: &Camera, bounds: &Bounds) -> f64 {
+    fn clutter_factor(&self, view: &silhouette_gpu::FrameView, bounds: &silhouette_core::mesh::Bounds) -> f64 {
         let Some(radii) = self.thins_beyond_radii else { return 1.0 };
-        let distance = camera.eye().as_dvec3().distance(bounds.center);
-        (radii * bounds.radius / distance).min(1.0)
+        let distance = view.object_to_view().transform_point3(bounds.center).length();
+        (radii * bounds.radius * view.largest_scale() / distance).min(1.0)
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "gpu"))]
 mod tests {
     use super::*;
     use silhouette_core::glam::{DVec3, Vec3};
+    use silhouette_core::mesh::Bounds;
+    use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
+    use silhouette_gpu::FrameView;
 
-    fn camera(projection: Projection) -> Camera {
-        Camera::new(Vec3::Z * 4.0, Vec3::ZERO, Vec3::Y, projection, [300, 200]).unwrap()
+    fn view(projection: Projection) -> FrameView {
+        let camera = Camera::new(Vec3::Z * 4.0, Vec3::ZERO, Vec3::Y, projection, [300, 200]).unwrap();
+        FrameView::from_camera(&camera, ClipRange { near: 1.0, far: 9.0 }, DepthDirection::Reversed).unwrap()
     }
 
     fn bounds() -> Bounds {
@@ -91,7 +99,7 @@ mod tests {
 
     fn px(value: f64, unit: WidthUnit, projection: Projection, depth: f64) -> f64 {
         let width = LineWidth { value, unit, thins_beyond_radii: None };
-        width.over_depth(&camera(projection), &bounds()).px_at(depth)
+        width.over_depth(&view(projection), &bounds()).px_at(depth)
     }
 
     #[test]
@@ -113,7 +121,7 @@ mod tests {
         let projection = Projection::Perspective { fov_y_rad: 0.8 };
         for (radii, factor) in [(2.0, 0.5), (4.0, 1.0), (9.0, 1.0)] {
             let width = LineWidth { value: 2.0, unit: WidthUnit::Pixels, thins_beyond_radii: Some(radii) };
-            assert!((width.over_depth(&camera(projection), &bounds()).constant_px - 2.0 * factor).abs() < 1e-12);
+            assert!((width.over_depth(&view(projection), &bounds()).constant_px - 2.0 * factor).abs() < 1e-12);
         }
     }
 }

@@ -3,36 +3,38 @@
 //! Scaling about the eye moves no point in the image. So only the depth that is written changes: x, y and w of clip space
 //! stay the same bits, and the same pixels are covered. The width follows the shape ([`rim_width`], [`wedge_width`]).
 //!
-//! An orthographic camera has no eye to scale about. There, back faces are pulled along the axis by 1 - k of the distance
-//! between the camera's eye and its target; the paper does not say.
+//! An orthographic view has no eye to scale about. There, back faces are pulled along the axis by 1 - k of the depth of the
+//! mesh's middle; the paper does not say.
 
-use silhouette_core::glam::DMat4;
-use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
+use silhouette_core::view::{ClipRange, Projection};
 
-/// View to clip space for back faces scaled by `k`.
+/// View to clip space for back faces scaled by `k`, of a mesh whose middle is at `middle_depth`.
 ///
 /// In perspective the depth buffer holds A + B / d for a depth d, as z = A d + B over w = d. At k d that is A + B / (k d):
-/// B becomes B / k over the same w. In orthographic views it holds A d + B over w = 1, and a pull p takes away A p.
-pub fn clip(camera: &Camera, range: ClipRange, direction: DepthDirection, k: f64) -> DMat4 {
-    let mut clip = camera.clip_matrix(range, direction);
-    match camera.projection() {
-        Projection::Perspective { .. } => clip.w_axis.z /= k,
-        // View-space z is -d, so this entry is -A.
-        Projection::Orthographic { .. } => clip.w_axis.z += clip.z_axis.z * pull_at(camera, 0.0, k),
+/// B becomes B / k over the same w. In orthographic views it holds A d + B over a constant w, and a pull p takes away A p.
+#[cfg(feature = "gpu")]
+pub(crate) fn projection(view: &silhouette_gpu::FrameView, k: f64, middle_depth: f64) -> silhouette_core::glam::DMat4 {
+    let mut projection = view.projection();
+    if view.is_perspective() {
+        projection.w_axis.z /= k;
+    } else {
+        projection.w_axis.z += projection.z_axis.z * view.depth_law().view_z_of_depth(-(1.0 - k) * middle_depth);
     }
-    clip
+    projection
 }
 
-/// `range` with its near plane where scaling brings a point on it.
-pub fn widened(camera: &Camera, range: ClipRange, k: f64) -> ClipRange {
-    ClipRange { near: range.near - pull_at(camera, range.near, k), ..range }
+/// `range` with its near plane where scaling brings a point on it; the mesh lies in the middle of `range`.
+pub fn widened(projection: Projection, range: ClipRange, k: f64) -> ClipRange {
+    let middle = 0.5 * (range.near + range.far);
+    ClipRange { near: range.near - pull_at(projection, range.near, middle, k), ..range }
 }
 
-/// How far scaling by `k` brings a point at a depth nearer to the viewer, in world units.
-pub fn pull_at(camera: &Camera, depth: f64, k: f64) -> f64 {
-    match camera.projection() {
+/// How far scaling by `k` brings a point at a depth nearer to the viewer, in world units, for a mesh whose middle is at
+/// `middle_depth`.
+pub fn pull_at(projection: Projection, depth: f64, middle_depth: f64, k: f64) -> f64 {
+    match projection {
         Projection::Perspective { .. } => (1.0 - k) * depth,
-        Projection::Orthographic { .. } => (1.0 - k) * camera.eye().as_dvec3().distance(camera.target().as_dvec3()),
+        Projection::Orthographic { .. } => (1.0 - k) * middle_depth,
     }
 }
 
@@ -53,12 +55,15 @@ pub fn wedge_width(pull: f64, front_slope: f64, back_slope: f64) -> f64 {
     pull / (back_slope - front_slope)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "gpu"))]
 mod tests {
     use super::*;
     use silhouette_core::glam::{DVec3, Vec3};
+    use silhouette_core::view::{Camera, DepthDirection};
+    use silhouette_gpu::FrameView;
 
     const RANGE: ClipRange = ClipRange { near: 1.5, far: 8.0 };
+    const MIDDLE: f64 = 4.75;
 
     fn cameras() -> [Camera; 2] {
         [Projection::Perspective { fov_y_rad: 0.9 }, Projection::Orthographic { height: 3.0 }]
@@ -66,10 +71,10 @@ mod tests {
     }
 
     /// Where scaling puts a point of view space.
-    fn pulled(camera: &Camera, view: DVec3, k: f64) -> DVec3 {
-        match camera.projection() {
+    fn pulled(projection: Projection, view: DVec3, k: f64) -> DVec3 {
+        match projection {
             Projection::Perspective { .. } => view * k,
-            Projection::Orthographic { .. } => view + DVec3::Z * pull_at(camera, -view.z, k),
+            Projection::Orthographic { .. } => view + DVec3::Z * pull_at(projection, -view.z, MIDDLE, k),
         }
     }
 
@@ -77,11 +82,12 @@ mod tests {
     fn the_matrix_does_to_the_depth_buffer_what_scaling_does_to_the_point() {
         for camera in cameras() {
             for direction in [DepthDirection::Standard, DepthDirection::Reversed] {
+                let frame_view = FrameView::from_camera(&camera, RANGE, direction).unwrap();
                 for k in [1.0, 0.99, 0.6] {
-                    let unscaled = camera.clip_matrix(RANGE, direction);
                     for view in [DVec3::new(0.3, -0.2, -2.0), DVec3::new(-1.0, 0.4, -7.5)] {
-                        let ours = clip(&camera, RANGE, direction, k).project_point3(view);
-                        let scaled = unscaled.project_point3(pulled(&camera, view, k));
+                        let ours = projection(&frame_view, k, MIDDLE).project_point3(view);
+                        let scaled = pulled(camera.projection(), view, k);
+                        let scaled = frame_view.projection().project_point3(scaled);
                         assert!((ours - scaled).length() < 1e-12, "{direction:?} {k}: {ours} {scaled}");
                     }
                 }
@@ -91,9 +97,9 @@ mod tests {
 
     #[test]
     fn nothing_is_pulled_across_the_widened_near_plane() {
-        for camera in cameras() {
-            let nearest = pulled(&camera, DVec3::new(0.0, 0.0, -RANGE.near), 0.7);
-            assert!((widened(&camera, RANGE, 0.7).near + nearest.z).abs() < 1e-12);
+        for projection in cameras().map(|camera| camera.projection()) {
+            let nearest = pulled(projection, DVec3::new(0.0, 0.0, -RANGE.near), 0.7);
+            assert!((widened(projection, RANGE, 0.7).near + nearest.z).abs() < 1e-12);
         }
     }
 

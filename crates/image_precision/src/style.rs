@@ -1,16 +1,15 @@
-//! [`StyleUniform`]: what every stage knows of the lines. Twin: `shaders/shared/image_precision/style.wgsl`.
+//! [`StyleUniform`]: the style of lines, which every stage binds. Twin: `shaders/image_precision/style.wgsl`.
 
-use crate::depth_range;
 use crate::fatten::FattenLaw;
+use crate::ink::is_on_paper;
 use crate::options::Texture;
-use crate::screen::Rounding;
 use crate::settings::{Settings, Variant};
-use crate::{fixed_pull, scale, screen};
+use crate::{depth_range, fixed_pull, scale};
 use bytemuck::{Pod, Zeroable};
-use silhouette_core::glam::{DMat4, DVec3};
+use silhouette_core::glam::{DMat3, DMat4, DVec3, DVec4, Vec4};
 use silhouette_core::mesh::Bounds;
-use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
-use silhouette_gpu::LocalFrame;
+use silhouette_core::view::{Camera, ClipRange};
+use silhouette_gpu::{Color, FrameView, LinePolygon, LocalFrame, Rounding, TargetFormats};
 
 /// Direction towards the light in the image, y up: the upper left.
 const LIGHT: [f64; 2] = [-0.6, 0.8];
@@ -20,67 +19,50 @@ const LIGHT: [f64; 2] = [-0.6, 0.8];
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(crate) struct StyleUniform {
     pub back_to_clip: [[f32; 4]; 4],
+    pub shape: [[f32; 4]; 4],
+    pub shape_to_clip: [[f32; 4]; 4],
+    pub local_eye: [f32; 4],
     pub eye: [f32; 4],
     pub axis: [f32; 4],
+    pub up: [f32; 4],
     pub ink: [f32; 4],
-    pub reach: [f32; 2],
-    pub viewport_px: [f32; 2],
-    pub light: [f32; 2],
+    pub paper: [f32; 4],
+    pub line: LinePolygon,
+    pub fade: [f32; 3],
     pub clamp_edges: f32,
     pub band: f32,
-    pub fade: [f32; 3],
-    pub near_w: f32,
     pub law: u32,
     pub texture: u32,
     pub faces: u32,
     pub slot_mask: u32,
     pub corner_mask: u32,
     pub polygon_corners: u32,
-    pub lift: f32,
-    pub end_sides: u32,
     pub noted: u32,
     pub most_around: f32,
-    pub _pad: [u32; 2],
-    pub rim: [[f32; 4]; 17],
+    pub turned: u32,
+    pub shape_sign: f32,
+    pub is_linear: u32,
 }
 
-/// Depths that are drawn, and how back faces are mapped to clip space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pulled {
-    pub range: ClipRange,
-    pub view_to_clip: DMat4,
-}
-
-impl Pulled {
-    /// For one view of a mesh with these bounds, within `range` or else within depths that hold what is pulled too.
-    pub fn new(
-        variant: Variant,
-        camera: &Camera,
-        bounds: &Bounds,
-        range: Option<ClipRange>,
-        direction: DepthDirection,
-    ) -> Self {
-        if let Some(range) = range {
-            return Self::within(variant, camera, bounds, range, direction);
-        }
-        let tight = camera.clip_range(bounds);
-        let range = match variant {
-            Variant::FixedPull { radii } => fixed_pull::widened(camera, tight, radii * bounds.radius),
-            Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => scale::widened(camera, tight, k),
-            Variant::DepthRange { plane, factor } => depth_range::widened(tight, plane, factor),
-            _ => tight,
-        };
-        Self::within(variant, camera, bounds, range, direction)
+/// Depths that hold what a variant pulls, besides the mesh itself in `mesh`.
+pub(crate) fn widened(variant: Variant, camera: &Camera, bounds: &Bounds, mesh: ClipRange) -> ClipRange {
+    match variant {
+        Variant::FixedPull { radii } => fixed_pull::widened(camera, mesh, radii * bounds.radius),
+        Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => scale::widened(camera.projection(), mesh, k),
+        Variant::DepthRange { plane, factor } => depth_range::widened(mesh, plane, factor),
+        _ => mesh,
     }
+}
 
-    fn within(variant: Variant, camera: &Camera, bounds: &Bounds, range: ClipRange, direction: DepthDirection) -> Self {
-        let view_to_clip = match variant {
-            Variant::FixedPull { radii } => fixed_pull::clip(camera, range, direction, radii * bounds.radius),
-            Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => scale::clip(camera, range, direction, k),
-            Variant::DepthRange { plane, factor } => depth_range::clip(camera, range, direction, plane, factor),
-            _ => camera.clip_matrix(range, direction),
-        };
-        Self { range, view_to_clip }
+/// View to clip space as back faces are pulled.
+fn pulled(variant: Variant, view: &FrameView, bounds: &Bounds) -> DMat4 {
+    match variant {
+        Variant::FixedPull { radii } => fixed_pull::projection(view, radii * bounds.radius * view.largest_scale()),
+        Variant::Scale { k } | Variant::Unoriented { k: Some(k) } => {
+            scale::projection(view, k, view.depth(bounds.center))
+        }
+        Variant::DepthRange { plane, factor } => depth_range::projection(view, plane, factor),
+        _ => view.projection(),
     }
 }
 
@@ -91,49 +73,74 @@ pub(crate) fn reach(variant: Variant) -> f64 {
 
 /// How lines are rounded that are at most so wide. Lines of a wireframe end bluntly.
 fn rounding(variant: Variant, widest_px: f64) -> Rounding {
-    if matches!(variant, Variant::Wireframe { .. }) { Rounding::BLUNT } else { screen::rounding(widest_px, false) }
+    if matches!(variant, Variant::Wireframe { .. }) { Rounding::BLUNT } else { Rounding::new(widest_px, false) }
+}
+
+/// Where the viewer is in the frame of a mesh and in its shape: eyes with w = 1, or directions towards the viewer with w = 0.
+struct Viewer {
+    local_eye: Vec4,
+    eye: DVec4,
+    /// Unit viewing axis, away from the viewer, and the direction up in the image, in the shape.
+    axis: DVec3,
+    up: DVec3,
+}
+
+impl Viewer {
+    fn new(view: &FrameView, frame: &LocalFrame) -> Self {
+        let to_world = DMat3::from_mat4(view.object_to_view() * view.model().inverse()).inverse();
+        let axis = (to_world * DVec3::Z * view.depth_law().view_z_of_depth(1.0)).normalize();
+        let up = (to_world * DVec3::Y).normalize();
+        let eye = view.object_eye();
+        if view.is_perspective() {
+            let local = frame.to_local(eye.truncate());
+            Self { local_eye: local.extend(1.0), eye: (frame.shape(view) * local.as_dvec3()).extend(1.0), axis, up }
+        } else {
+            let toward = eye.truncate().normalize().as_vec3();
+            Self { local_eye: toward.extend(0.0), eye: (-axis).extend(0.0), axis, up }
+        }
+    }
 }
 
 /// Fills in what a view decides; counts of the mesh and of tables are the caller's.
 pub(crate) fn of_view(
     settings: &Settings,
-    camera: &Camera,
+    view: &FrameView,
     bounds: &Bounds,
     frame: &LocalFrame,
-    pulled: &Pulled,
+    formats: &TargetFormats,
 ) -> StyleUniform {
-    let unit = frame.clip_unit(camera);
-    let axis = (camera.target().as_dvec3() - camera.eye().as_dvec3()).normalize();
-    let (eye, px_per_unit) = match camera.projection() {
-        Projection::Perspective { .. } => {
-            (frame.to_local(camera.eye().as_dvec3()).extend(1.0), camera.pixels_per_unit(1.0))
-        }
-        Projection::Orthographic { .. } => (-axis.as_vec3().extend(0.0), camera.pixels_per_unit(1.0) * frame.unit()),
-    };
-    let width = settings.width.over_depth(camera, bounds);
-    let rounding = rounding(settings.variant, width.px_at(pulled.range.near.abs()));
+    let depth_per_w = frame.depth_per_w(view);
+    let Viewer { local_eye, eye, axis, up } = Viewer::new(view, frame);
+    let px_per_unit = view.pixels_per_unit(1.0) * if view.is_perspective() { 1.0 } else { frame.unit() };
+    let near = view.depth_law().range().near;
+    let width = settings.width.over_depth(view, bounds);
+    let rounding = rounding(settings.variant, width.px_at(near.abs()));
     let reach = reach(settings.variant);
-    let depth = (bounds.center - camera.eye().as_dvec3()).dot(axis);
+    let (depth, radius) = (view.depth(bounds.center), bounds.radius * view.largest_scale());
     let law = match settings.variant {
         Variant::Fatten { law } | Variant::Charcoal { law, .. } => law,
         _ => FattenLaw::Exact,
     };
-    let [red, green, blue] = settings.ink;
-    let thinning = LIGHT.map(|part| (part * settings.light_thinning) as f32);
+    let near_w = if view.is_perspective() { near / depth_per_w } else { 0.5 * view.depth_law().w_at(0.0) };
+    let reach_px = [width.constant_px, width.px_at_depth_1 / depth_per_w].map(|part| (reach * part) as f32);
+    let viewport_px = view.viewport().size_px.map(|side| side as f32);
+    let mut line = LinePolygon::new(viewport_px, reach_px, near_w as f32, rounding);
+    line.shape.light = LIGHT.map(|part| (part * settings.light_thinning) as f32);
+    let shape = DMat4::from_mat3(frame.shape(view));
+    let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
     StyleUniform {
-        back_to_clip: frame.through(camera, pulled.view_to_clip).as_mat4().to_cols_array_2d(),
-        eye: eye.to_array(),
+        back_to_clip: columns(frame.through(view, pulled(settings.variant, view, bounds))),
+        shape: columns(shape),
+        shape_to_clip: columns(frame.to_clip(view) * shape.inverse()),
+        local_eye: local_eye.to_array(),
+        eye: eye.as_vec4().to_array(),
         axis: axis.as_vec3().extend(px_per_unit as f32).to_array(),
-        ink: DVec3::new(red, green, blue).as_vec3().extend(1.0).to_array(),
-        reach: [width.constant_px, width.px_at_depth_1 / unit].map(|part| (reach * part) as f32),
-        viewport_px: camera.size().map(|side| side as f32),
-        light: thinning,
-        fade: [(depth - bounds.radius) / unit, (depth + bounds.radius) / unit, settings.depth_fade]
+        up: up.as_vec3().extend(0.0).to_array(),
+        ink: Color { srgb: settings.ink, alpha: settings.ink_alpha }.for_target(formats),
+        paper: (if is_on_paper(settings) { Color::WHITE } else { Color::TRANSPARENT }).for_target(formats),
+        line,
+        fade: [(depth - radius) / depth_per_w, (depth + radius) / depth_per_w, settings.depth_fade]
             .map(|part| part as f32),
-        near_w: match camera.projection() {
-            Projection::Perspective { .. } => (pulled.range.near / unit) as f32,
-            Projection::Orthographic { .. } => 0.5,
-        },
         clamp_edges: settings.fatten_clamp as f32,
         band: if let Variant::Charcoal { band, .. } = settings.variant { band as f32 } else { 0.0 },
         law: match law {
@@ -150,12 +157,11 @@ pub(crate) fn of_view(
         slot_mask: 0,
         corner_mask: 0,
         polygon_corners: 3,
-        lift: 0.0,
-        end_sides: rounding.end_sides,
         noted: 0,
         most_around: 0.0,
-        _pad: [0; 2],
-        rim: rounding.rim(),
+        turned: u32::from(view.is_mirrored()),
+        shape_sign: shape.determinant().signum() as f32,
+        is_linear: u32::from(formats.is_linear()),
     }
 }
 
@@ -171,27 +177,29 @@ mod tests {
         }
         let members = members!(
             back_to_clip,
+            shape,
+            shape_to_clip,
+            local_eye,
             eye,
             axis,
+            up,
             ink,
-            reach,
-            viewport_px,
-            light,
+            paper,
+            line,
+            fade,
             clamp_edges,
             band,
-            fade,
-            near_w,
             law,
             texture,
             faces,
             slot_mask,
             corner_mask,
             polygon_corners,
-            lift,
-            end_sides,
             noted,
             most_around,
-            rim
+            turned,
+            shape_sign,
+            is_linear
         );
         let stage = silhouette_shaders::image_precision::SCREEN;
         let size = size_of::<StyleUniform>();

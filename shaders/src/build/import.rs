@@ -160,7 +160,9 @@ mod tests {
 
     #[test]
     fn a_line_that_is_almost_an_import_is_refused() {
-        for line in ["#import a.wgsl", "#import \"a.wgsl", "  #import \"a.wgsl\"", "#import \"../a.wgsl\"", "#import \"\""] {
+        for line in
+            ["#import a.wgsl", "#import \"a.wgsl", "  #import \"a.wgsl\"", "#import \"../a.wgsl\"", "#import \"\""]
+        {
             let text = format!("\n{line}");
             let files = [("stage.wgsl", text.as_str()), ("a.wgsl", "a")];
             let error = resolve_in(&files, "stage.wgsl").unwrap_err();

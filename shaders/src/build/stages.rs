@@ -107,10 +107,8 @@ pub fn rust_source(stages: &[Stage]) -> String {
         for stage in group {
             let (path, name) = (&stage.path, stage.constant());
             let _ = writeln!(source, "    /// {}", stage.summary);
-            let _ = writeln!(
-                source,
-                "    pub const {name}: &str = include_str!(concat!(env!(\"OUT_DIR\"), \"/{path}\"));"
-            );
+            let _ =
+                writeln!(source, "    pub const {name}: &str = include_str!(concat!(env!(\"OUT_DIR\"), \"/{path}\"));");
             let _ = writeln!(all, "    (\"{path}\", {folder}::{name}),");
         }
         source.push_str("}\n\n");

@@ -1,4 +1,4 @@
-//! Which points of a line the mesh hides. Twin of `shaders/shared/line_visibility.wgsl`.
+//! Which points of a line the mesh hides. Twin of `shaders/render/line_visibility.wgsl`.
 //!
 //! A line on the surface that hides it cannot be compared with the depth at its own pixel: half of its pixels hold the
 //! surface that it bounds. So three pixels are asked, at the line and one pixel to either side, and the line is visible

@@ -1,77 +1,56 @@
-//! [`Back`]: step 3 by variant.
+//! [`Back`]: step 3 by variant, for one instance of a mesh.
 
-use crate::back_edges::{self, BackEdges, Listed};
-use crate::fatten_list::FatPolygons;
-use crate::first_layer::FirstLayer;
+use crate::back_edges::{self, BackEdges};
+use crate::fat_polygons::FatPolygons;
+use crate::later_faces::LaterFaces;
 use crate::method::ImagePrecision;
-use crate::offset;
-use crate::options::Texture;
-use crate::settings::{Settings, Variant};
-use crate::stage::{POSITIONS, Stage, ink_fragment};
+use crate::pipelines::BackStages;
 use crate::style::StyleUniform;
-use silhouette_gpu::{CameraBinding, MeshBinding, MeshBuffers, RendererError, TargetFormats};
-use silhouette_shaders::image_precision::{BACK_FACES, SCREEN};
+use silhouette_gpu::{CameraBinding, MeshBinding, MeshBuffers, MeshTooLarge};
 
 /// What draws back faces.
 #[derive(Debug)]
 pub(super) enum Back {
-    /// The faces themselves, pulled by the matrix or by polygon offset, or as the adapter's own lines.
+    /// The faces themselves; the pipeline is that of the view last prepared.
     Faces(wgpu::RenderPipeline),
     /// Their edges as lines.
     Edges { list: BackEdges, pipeline: wgpu::RenderPipeline },
     /// Their fattened polygons.
     Fat(Box<FatPolygons>),
-    /// Whatever lies behind the first layer.
-    Later(Box<FirstLayer>),
+    /// What lies behind the first layer.
+    Later(Box<LaterFaces>),
 }
 
 impl Back {
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
+        stages: &BackStages,
         method: &ImagePrecision,
-        buffers: &MeshBuffers,
-        formats: TargetFormats,
-    ) -> Result<Self, RendererError> {
-        let settings = method.settings();
-        let variant = settings.variant;
-        let faces = buffers.face_count();
-        let edges = |listed| -> Result<Self, RendererError> {
-            let list = BackEdges::new(device, queue, faces, listed, None)?;
-            Ok(Self::Edges { list, pipeline: line_pipeline(device, formats, settings, "line_of_edge") })
-        };
-        match variant {
-            Variant::Screen => edges(Listed::Unshared),
-            Variant::Wireframe { polygon_mode: false } => edges(Listed::EveryEdge),
-            Variant::Wireframe { polygon_mode: true } => {
-                if !device.features().contains(wgpu::Features::POLYGON_MODE_LINE) {
-                    return Err(RendererError::MissingFeature {
-                        what: "wireframe-lines=polygon-mode",
-                        feature: "POLYGON_MODE_LINE",
-                        instead: "use wireframe-lines=quads, which needs none",
-                    });
-                }
-                Ok(Self::Faces(faces_pipeline(device, formats, settings)))
+        mesh: &MeshBuffers,
+    ) -> Result<Self, MeshTooLarge> {
+        let faces = mesh.face_count();
+        Ok(match stages {
+            BackStages::Faces(pipeline) => Self::Faces(pipeline.get(false).clone()),
+            BackStages::Edges { list, pipeline } => {
+                let list = BackEdges::new(device, queue, list, faces, None)?;
+                Self::Edges { list, pipeline: pipeline.clone() }
             }
-            Variant::Fatten { .. } | Variant::Charcoal { .. } => {
-                let fat = FatPolygons::new(device, queue, faces, method.polygons(), settings, formats)?;
-                Ok(Self::Fat(Box::new(fat)))
+            BackStages::Fat(stages) => {
+                Self::Fat(Box::new(FatPolygons::new(device, queue, stages, faces, method.polygons())?))
             }
-            Variant::Unoriented { k } => {
-                let layer = FirstLayer::new(device, queue, faces, k.is_some(), settings, formats)?;
-                Ok(Self::Later(Box::new(layer)))
-            }
-            Variant::Equal
-            | Variant::FixedPull { .. }
-            | Variant::Scale { .. }
-            | Variant::DepthRange { .. }
-            | Variant::Offset { .. } => Ok(Self::Faces(faces_pipeline(device, formats, settings))),
-        }
+            BackStages::Later(stages) => Self::Later(Box::new(LaterFaces::new(device, queue, stages, faces)?)),
+        })
     }
 
     /// Corners of the polygons, where they are not the triangles.
     pub fn corners(&self) -> Option<&wgpu::Buffer> {
         if let Self::Fat(fat) = self { fat.corners() } else { None }
+    }
+
+    /// Whether stages pull the mesh by index.
+    pub fn pulls_mesh(&self) -> bool {
+        !matches!(self, Self::Faces(_))
     }
 
     /// Fills in what the mesh and the tables decide of the uniform.
@@ -97,10 +76,12 @@ impl Back {
         }
     }
 
-    /// Makes room for a viewport of this size.
-    pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
-        if let Self::Later(layer) = self {
-            layer.resize(device, size);
+    /// Chooses the pipeline for the winding of the view, and makes room for a viewport of this size.
+    pub fn prepare(&mut self, device: &wgpu::Device, stages: &BackStages, is_mirrored: bool, size_px: [u32; 2]) {
+        match (self, stages) {
+            (Self::Faces(pipeline), BackStages::Faces(wound)) => *pipeline = wound.get(is_mirrored).clone(),
+            (Self::Later(layer), _) => layer.resize(device, size_px),
+            _ => {}
         }
     }
 
@@ -132,48 +113,4 @@ impl Back {
             (_, None) => {}
         }
     }
-}
-
-/// Back faces themselves.
-fn faces_pipeline(device: &wgpu::Device, formats: TargetFormats, settings: &Settings) -> wgpu::RenderPipeline {
-    let variant = settings.variant;
-    let compare = if variant == Variant::Equal { wgpu::CompareFunction::Equal } else { formats.nearer_or_equal() };
-    let mut depth = formats.depth_state(compare);
-    if let Variant::Offset { slope, constant, clamp } = variant {
-        depth.bias = offset::bias(formats, slope, constant, clamp);
-    }
-    let is_lines = matches!(variant, Variant::Wireframe { .. });
-    Stage {
-        label: "image precision: back faces",
-        wgsl: BACK_FACES,
-        vertex: "back_vertex",
-        fragment: ink_fragment(settings),
-        buffers: POSITIONS,
-        culled: Some(wgpu::Face::Front),
-        polygon_mode: if is_lines { wgpu::PolygonMode::Line } else { wgpu::PolygonMode::Fill },
-        depth,
-    }
-    .build(device, &[Some(&CameraBinding::layout(device))], formats.color, formats.samples)
-}
-
-/// Lines as quads; `vertex` tells what the list holds.
-pub(crate) fn line_pipeline(
-    device: &wgpu::Device,
-    formats: TargetFormats,
-    settings: &Settings,
-    vertex: &'static str,
-) -> wgpu::RenderPipeline {
-    let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
-    let list = back_edges::drawing_layout(device);
-    Stage {
-        label: "image precision: lines",
-        wgsl: SCREEN,
-        vertex,
-        fragment: if settings.texture == Texture::Solid { ink_fragment(settings) } else { "textured_fragment" },
-        buffers: &[],
-        culled: None,
-        polygon_mode: wgpu::PolygonMode::Fill,
-        depth: formats.depth_state(formats.nearer_or_equal()),
-    }
-    .build(device, &[Some(&camera), Some(&mesh), Some(&list)], formats.color, formats.samples)
 }

@@ -1,15 +1,11 @@
-//! [`ExtraLines`]: boundary edges and creases, drawn along.
+//! [`ExtraLines`]: boundary edges and creases, drawn in addition.
 
-use super::back::line_pipeline;
 use crate::back_edges::drawing_layout;
-use crate::screen;
-use crate::settings::Settings;
-use crate::stage::{buffers_group, storage_buffer};
+use crate::settings::Variant;
 use crate::style::{self, StyleUniform};
-use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
-use silhouette_core::view::{Camera, ClipRange, DepthDirection};
-use silhouette_gpu::{CameraBinding, CameraUniform, MeshBinding, MeshTooLarge, TargetFormats};
+use silhouette_gpu::kit::{buffers_group, storage_buffer};
+use silhouette_gpu::{CameraBinding, CameraUniform, FrameView, MeshBinding, MeshTooLarge, Rounding};
 
 /// Lines given by pairs of vertices, centred on their edges and brought as far in front of the faces that they lie on as
 /// they are wide.
@@ -30,9 +26,9 @@ impl ExtraLines {
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
+        pipeline: &wgpu::RenderPipeline,
         edges: &[[u32; 2]],
-        settings: &Settings,
-        formats: TargetFormats,
+        variant: Variant,
     ) -> Result<Option<Self>, MeshTooLarge> {
         if edges.is_empty() {
             return Ok(None);
@@ -45,42 +41,38 @@ impl ExtraLines {
             // A mesh has fewer than 2^32 half-edges, by validation.
             edges: edges.len() as u32,
             vertices: 0,
-            half: (0.5 / style::reach(settings.variant)) as f32,
+            half: (0.5 / style::reach(variant)) as f32,
             binding: CameraBinding::new(device, &layout, size_of::<StyleUniform>()),
             list: buffers_group(device, "extra edges", &drawing_layout(device), &[&pairs]),
-            pipeline: line_pipeline(device, formats, settings, "line_of_pair"),
+            pipeline: pipeline.clone(),
         }))
     }
 
     /// Uploads the style of a view, centred and lifted.
-    #[allow(clippy::too_many_arguments, reason = "all that a view is")]
     pub fn prepare(
         &mut self,
         queue: &wgpu::Queue,
-        camera: &Camera,
+        view: &FrameView,
         bounds: &Bounds,
-        camera_uniform: &CameraUniform,
+        depth_per_w: f64,
+        camera: &CameraUniform,
         style: &StyleUniform,
-        range: ClipRange,
-        direction: DepthDirection,
     ) {
-        let [half, half_falling] = style.reach.map(|reach| self.half * reach);
-        let depth = -camera.view_matrix().transform_point3(bounds.center).z;
-        let depth = depth.max(range.near + 0.1 * (range.far - range.near));
-        let width_px = 2.0 * f64::from(half + half_falling / depth as f32);
-        let toward = width_px / camera.pixels_per_unit(depth);
-        let value = |depth: f64| camera.clip_matrix(range, direction).project_point3(DVec3::Z * -depth).z;
-        let lift = value(depth - toward.min(0.5 * depth.abs())) - value(depth);
-        let rounding = screen::rounding(0.5 * width_px, true);
-        self.vertices = self.edges.saturating_mul(6 * rounding.end_sides);
-        let style = StyleUniform {
-            end_sides: rounding.end_sides,
-            rim: rounding.rim(),
-            reach: [half, half_falling],
-            lift: lift as f32,
-            ..*style
-        };
-        self.binding.write(queue, camera_uniform, &style);
+        let law = view.depth_law();
+        let range = law.range();
+        let least = if range.far.is_finite() { range.near + 0.1 * (range.far - range.near) } else { 1.1 * range.near };
+        let depth = view.depth(bounds.center).max(least);
+        let px_per_unit = view.pixels_per_unit(depth);
+        let [half, half_falling] = style.line.shape.reach.map(|reach| self.half * reach);
+        let width_px = 2.0 * (f64::from(half) + f64::from(half_falling) * depth_per_w / depth);
+        let toward = width_px / px_per_unit;
+        let lift = law.value_at(depth - toward.min(0.5 * depth.abs())) - law.value_at(depth);
+        let mut style = *style;
+        style.line.round(Rounding::new(0.5 * width_px, true));
+        style.line.shape.reach = [half, half_falling];
+        style.line.shape.lift = lift as f32;
+        self.vertices = self.edges.saturating_mul(style.line.vertices_per_line());
+        self.binding.write(queue, camera, &style);
     }
 
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshBinding) {

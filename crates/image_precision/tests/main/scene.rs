@@ -6,12 +6,12 @@ use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::shapes::Torus;
 use silhouette_core::view::{Camera, ClipRange, Framing, Projection};
-use silhouette_gpu::{DrawsLines, LineRenderer, TargetFormats};
+use silhouette_gpu::{DrawsLines, FrameRenderer, FrameView, MeshBuffers, RendererError, TargetFormats};
 use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions, Renderer};
 use silhouette_render::{Gpu, Image, Load, Target};
 use std::sync::Arc;
 
-/// Grey paper, so that white front faces, black ink and nothing at all can be told apart.
+/// Grey ground, so that white front faces, black ink and nothing at all are three values.
 const PAPER: [f64; 4] = [0.5, 0.5, 0.5, 1.0];
 
 pub struct Drawn {
@@ -31,13 +31,41 @@ pub fn draw_within(
     formats: TargetFormats,
     range: Option<ClipRange>,
 ) -> Drawn {
+    let mut renderer = renderer(gpu, mesh, words, formats).unwrap();
+    let view = view_of(&renderer, mesh, camera, formats, range);
+    renderer.prepare(gpu.device(), gpu.queue(), &view).unwrap();
+    Drawn { image: draw_with(gpu, &renderer, camera.size(), formats), warning: renderer.warning() }
+}
+
+/// A renderer with options given by words.
+pub fn renderer(
+    gpu: &Gpu,
+    mesh: &TriangleMesh,
+    words: &[&str],
+    formats: TargetFormats,
+) -> Result<Renderer, RendererError> {
     let options = ImagePrecisionOptions::parse(words.iter().copied()).unwrap();
     let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
     let method = ImagePrecision::new(&prepared, options).unwrap();
-    let mut renderer = gpu.scoped(|| method.renderer(gpu.device(), gpu.queue(), formats)).unwrap().unwrap();
-    renderer.set_clip_range(range);
-    renderer.prepare(gpu.device(), gpu.queue(), camera);
-    Drawn { image: draw_with(gpu, &renderer, camera.size(), formats), warning: renderer.warning() }
+    let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh).unwrap());
+    gpu.scoped(|| {
+        let pipelines = Arc::new(method.pipelines(gpu.device(), formats)?);
+        method.renderer(gpu.device(), gpu.queue(), &pipelines, &buffers)
+    })
+    .unwrap()
+}
+
+/// What a camera shows within `range`, or else within the depths that hold what is drawn.
+pub fn view_of(
+    renderer: &Renderer,
+    mesh: &TriangleMesh,
+    camera: &Camera,
+    formats: TargetFormats,
+    range: Option<ClipRange>,
+) -> FrameView {
+    let tight = mesh.bounds().map(|bounds| renderer.clip_range(camera, camera.clip_range(&bounds)));
+    let range = range.or(tight).unwrap_or(ClipRange { near: 0.1, far: 10.0 });
+    FrameView::from_camera(camera, range, formats.depth_direction).unwrap()
 }
 
 pub fn draw_with(gpu: &Gpu, renderer: &Renderer, size: [u32; 2], formats: TargetFormats) -> Image {

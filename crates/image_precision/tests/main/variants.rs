@@ -3,14 +3,10 @@
 use crate::scene::{self, Drawn, count, draw, framed, ink, sphere_camera, sphere_radius_px, torus};
 use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::TriangleMesh;
-use silhouette_core::method::{Method, MethodOptions};
-use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::shapes::{Cuboid, Sphere};
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
-use silhouette_gpu::{DrawsLines, LineRenderer, RendererError, TargetFormats};
-use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions};
-use silhouette_render::{DEFAULT_FORMATS, Gpu, testing::gpu_or_skip};
-use std::sync::Arc;
+use silhouette_gpu::{FrameRenderer, TargetFormats};
+use silhouette_render::{DEFAULT_FORMATS, testing::gpu_or_skip};
 use wgpu::TextureFormat::{Depth16Unorm, Depth24Plus, Depth32Float};
 
 /// Mean width outside of a sphere's outline, and how far the farthest ink is from it, in pixels.
@@ -101,7 +97,7 @@ fn wireframe_shows_half_of_its_width() {
 }
 
 #[test]
-fn polygon_offset_is_as_wide_as_an_earlier_experiment_tells() {
+fn polygon_offset_is_half_its_slope_wide_on_a_smooth_rim() {
     let Some(gpu) = gpu_or_skip("polygon_offset_is_as_wide_as_an_earlier_experiment_tells") else { return };
     let mesh = Sphere::default().icosphere(5).unwrap();
     let mean = |slope: &str| {
@@ -288,16 +284,9 @@ fn polygon_mode_lines_are_drawn_or_the_feature_is_named() {
     if gpu.device().features().contains(wgpu::Features::POLYGON_MODE_LINE) {
         assert!(ink(&draw(gpu, &cube, &framed(&cube, 128), &words, DEFAULT_FORMATS).image) > 100);
     } else {
-        let error = renderer_error(gpu, &cube, &words).unwrap();
+        let error = scene::renderer(gpu, &cube, &words, DEFAULT_FORMATS).unwrap_err();
         assert!(error.to_string().contains("POLYGON_MODE_LINE"), "{error}");
     }
-}
-
-fn renderer_error(gpu: &Gpu, mesh: &TriangleMesh, words: &[&str]) -> Option<RendererError> {
-    let options = ImagePrecisionOptions::parse(words.iter().copied()).unwrap();
-    let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
-    let method = ImagePrecision::new(&prepared, options).unwrap();
-    method.renderer(gpu.device(), gpu.queue(), DEFAULT_FORMATS).err()
 }
 
 #[test]
@@ -333,12 +322,11 @@ fn renderers_follow_the_camera() {
     let Some(gpu) = gpu_or_skip("renderers_follow_the_camera") else { return };
     let mesh = torus();
     let words = ["variant=unoriented", "unoriented-lines=screen"];
-    let options = ImagePrecisionOptions::parse(words).unwrap();
-    let method = ImagePrecision::new(&Arc::new(PreparedMesh::new(mesh.clone())), options).unwrap();
-    let mut renderer = method.renderer(gpu.device(), gpu.queue(), DEFAULT_FORMATS).unwrap();
+    let mut renderer = scene::renderer(gpu, &mesh, &words, DEFAULT_FORMATS).unwrap();
     for size in [64, 128] {
         let camera = framed(&mesh, size);
-        renderer.prepare(gpu.device(), gpu.queue(), &camera);
+        let view = scene::view_of(&renderer, &mesh, &camera, DEFAULT_FORMATS, None);
+        renderer.prepare(gpu.device(), gpu.queue(), &view).unwrap();
         let again = scene::draw_with(gpu, &renderer, camera.size(), DEFAULT_FORMATS);
         assert!(again == draw(gpu, &mesh, &camera, &words, DEFAULT_FORMATS).image, "{size}");
     }
