@@ -8,14 +8,16 @@
 //! | STL | equal positions joined, in order of appearance | text and binary |
 //! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied |
 //!
-//! Unreferenced vertices are kept. Polygons are fanned from their first corner. Texture and normal seams never split a
-//! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. Which faces are of one
-//! material and group (OBJ's `usemtl` and `g`, glTF's materials) [`load_labelled`] tells; what a vertex or face carries
-//! besides (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
+//! Applications that have loaded their scene with `tobj` make it a mesh by `TriangleMesh::from_tobj`, cargo feature `tobj`.
 //!
-//! Bad files are refused with a [`LoadError`] that names the place and the mend. Memory is never taken on a header's
-//! word alone: no more than a small multiple of the bytes that are really there, except for a glTF scene that places
-//! one mesh many times.
+//! Unreferenced vertices are kept. Polygons are fanned from their first corner. Texture and normal seams never split a
+//! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
+//! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials); everything else that a
+//! vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
+//!
+//! Bad files are refused with a [`LoadError`] that names the place and the remedy. A header's promise alone never takes
+//! memory: it is bounded by a small multiple of the bytes that are there, except for a glTF scene that places one mesh many
+//! times.
 //!
 //! Cost: O(bytes), one pass, 150 MB/s of text or more on one core (350 MB/s of short OBJ rows).
 
@@ -26,6 +28,8 @@
 
 mod assembly;
 mod error;
+#[cfg(feature = "tobj")]
+mod from_tobj;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod lines;
@@ -42,6 +46,8 @@ mod stl;
 
 pub use assembly::LabelledMesh;
 pub use error::{LoadError, Place, Problem};
+#[cfg(feature = "tobj")]
+pub use from_tobj::FromTobjError;
 
 use self::error::Located;
 use self::steps::Steps;
@@ -64,7 +70,7 @@ pub enum Format {
     Off,
     /// STL, text or binary, cargo feature `stl`.
     Stl,
-    /// glTF 2.0, text or GLB (told apart by their first bytes), cargo feature `gltf`.
+    /// glTF 2.0, text or GLB (distinguished by their first bytes), cargo feature `gltf`.
     Gltf,
 }
 
@@ -112,20 +118,20 @@ impl fmt::Display for Format {
 /// Loads a mesh from a file of the format that its extension names.
 ///
 /// # Errors
-/// [`LoadError`], a line that names the file, the place and the mend.
+/// [`LoadError`], one line that names the file, the place and the remedy.
 pub fn load(path: &Path) -> Result<TriangleMesh, LoadError> {
     load_with_progress(path, &NoProgress)
 }
 
-/// Like [`load`], telling `progress` of the bytes read and parsed, and stopping when it asks to.
+/// Like [`load`], but reports the bytes read and parsed to `progress` and stops when it asks to.
 ///
 /// # Errors
-/// [`LoadError`]; [`LoadError::is_cancelled`] tells a stop from a bad file.
+/// [`LoadError`]; [`LoadError::is_cancelled`] distinguishes a stop from a bad file.
 pub fn load_with_progress(path: &Path, progress: &dyn Progress) -> Result<TriangleMesh, LoadError> {
     load_labelled(path, progress).map(|labelled| labelled.mesh)
 }
 
-/// Like [`load_with_progress`], also telling which faces are of one material and group.
+/// Like [`load_with_progress`], with labels for the faces that share a material and group.
 ///
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`].
@@ -153,7 +159,7 @@ pub fn read(format: Format, name: &str, bytes: &[u8], progress: &dyn Progress) -
     read_labelled(format, name, bytes, progress).map(|labelled| labelled.mesh)
 }
 
-/// Like [`read()`], also telling which faces are of one material and group.
+/// Like [`read()`], with labels for the faces that share a material and group.
 ///
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`].

@@ -4,6 +4,7 @@ mod cancelling;
 mod expectations;
 mod gltf;
 mod gltf_refused;
+mod independent_reader;
 mod obj;
 mod off;
 mod paths;
