@@ -6,8 +6,8 @@ use crate::input;
 use crate::output::{Output, check_writable};
 use crate::progress::TerminalProgress;
 use silhouette_compare::record::Profile;
-use silhouette_compare::reproduce::{check_target, image_precision, tracking};
 use silhouette_core::method::PrepareError;
+use silhouette_papers::{check_target, hall_2003 as tracking, raskar_cohen_1999 as image_precision};
 use silhouette_render::{AdapterChoice, Gpu};
 use std::path::Path;
 

@@ -8,7 +8,7 @@
 //! | `silhouettes-reproduction.json` | the marker by which a later run knows that it may replace the directory |
 
 use super::figure::{Figure, write_figures};
-use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
+use silhouette_compare::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,8 @@
 
 use super::measure::{MeshResult, Reproduction, VariantResult};
 use super::variants::{Asked, Variant};
-use crate::plot::{FAINT_GRID, GRID, INK, LogAxis, line, paper, rounded, text};
-use crate::report::COLORS;
+use silhouette_compare::plot::{FAINT_GRID, GRID, INK, LogAxis, line, paper, rounded, text};
+use silhouette_compare::report::COLORS;
 use silhouette_tracking::TestedEdges;
 use svg::node::element::{Group, Polyline, Text};
 

@@ -1,20 +1,20 @@
 //! Every variant of every mesh: pictures scored, frames timed.
 
+use super::derived;
 use super::lost::{self, Lost, LostError};
 use super::picture::{Score, score};
-use super::predicted;
 use super::soup::{self, SoupResult};
+use super::spheres::{self, SphereViews};
 use super::timed::{FrameTimes, Plain, time};
 use super::variants::{UNORIENTED, VARIANTS, Variant};
-use super::views::{self, SphereViews};
-use crate::drawing::{DrawError, Drawing, FrameStyle};
-use crate::machine::{describe_machine, describe_program};
-use crate::metrics::{Ink, TruePen};
-use crate::record::Profile;
-use crate::registry::{self, UnknownMethod};
-use crate::runner::NamedMesh;
-use crate::truth::{TruthError, TruthFinder};
 use glam::DVec3;
+use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle};
+use silhouette_compare::machine::{describe_machine, describe_program};
+use silhouette_compare::metrics::{Ink, TruePen};
+use silhouette_compare::record::Profile;
+use silhouette_compare::registry::{self, UnknownMethod};
+use silhouette_compare::runner::NamedMesh;
+use silhouette_compare::truth::{TruthError, TruthFinder};
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::shapes::{ShapeError, Sphere, by_name};
 use silhouette_core::view::{Camera, Framing, ViewError, ViewPreset};
@@ -138,9 +138,9 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<Reproduction, ReproduceError> {
     let mut results = measure_meshes(profile, meshes, gpu, progress)?;
-    for (level, ..) in predicted::FATTENED {
+    for (level, ..) in derived::FATTENED {
         let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
-        let camera = views::camera(DVec3::new(0.55, 0.35, 1.0))?;
+        let camera = spheres::camera(DVec3::new(0.55, 0.35, 1.0))?;
         let name = format!("icosphere:{level}");
         results.push(measure_mesh(&name, &mesh, gpu, &camera, Some(level), 0, progress)?);
     }
@@ -204,7 +204,8 @@ fn measure_mesh(
 ) -> Result<MeshResult, ReproduceError> {
     let draw_error = |source| ReproduceError::Draw { mesh: name.to_owned(), source };
     let truth_error = |source| ReproduceError::Truth { mesh: name.to_owned(), source };
-    let style = FrameStyle { size: camera.size(), pen_width_px: crate::runner::DEFAULT_PEN_WIDTH_PX, samples: 1 };
+    let style =
+        FrameStyle { size: camera.size(), pen_width_px: silhouette_compare::runner::DEFAULT_PEN_WIDTH_PX, samples: 1 };
     progress.stage(&format!("{name}: pictures"), (1 + 2 * VARIANTS.len() + UNORIENTED.len()) as u64);
     let mut finder = TruthFinder::new(mesh, progress).map_err(truth_error)?;
     let truth = finder.find(camera, progress).map_err(truth_error)?;
@@ -249,7 +250,7 @@ fn measure_mesh(
     progress.stage(&format!("{name}: lost faces and views"), 1);
     let error_of = |error| of_lost(name, error);
     let lost = lost::measure(gpu, mesh, camera, progress).map_err(error_of)?;
-    let views = sphere_level.map(|_| views::measure(gpu, name, mesh, progress)).transpose().map_err(error_of)?;
+    let views = sphere_level.map(|_| spheres::measure(gpu, name, mesh, progress)).transpose().map_err(error_of)?;
     progress.advance(1);
 
     let mut times = None;
@@ -318,14 +319,14 @@ pub(super) mod tests {
                 assert!(of(mesh, nothing).metrics.missed_1px > 0.999, "{nothing}");
             }
             let views = mesh.views.unwrap();
-            let (_, mean, farthest) = predicted::FATTENED.into_iter().find(|row| row.0 == level).unwrap();
+            let (_, mean, farthest) = derived::FATTENED.into_iter().find(|row| row.0 == level).unwrap();
             assert!((views.mean_width_px / mean - 1.0).abs() < 0.15, "{level}: {views:?}");
             let [least, most] = views.farthest_px;
             assert!(0.85 * least < farthest && farthest < 1.15 * most, "{level}: {views:?}");
         }
         let finest = reproduction.meshes.iter().find(|mesh| mesh.sphere_level == Some(5)).unwrap();
         let sphere = reproduction.meshes.iter().find(|mesh| mesh.sphere_level == Some(4)).unwrap();
-        let (over_views, expected) = (sphere.views.unwrap().lost.unwrap(), predicted::lost(&sphere.name).unwrap());
+        let (over_views, expected) = (sphere.views.unwrap().lost.unwrap(), derived::lost(&sphere.name).unwrap());
         for (at, expected) in expected.into_iter().enumerate() {
             let [mean, least, most] =
                 [over_views.mean, over_views.least, over_views.most].map(|shares| 100.0 * shares[at]);
@@ -344,7 +345,7 @@ pub(super) mod tests {
         assert_eq!(of_views.count(), 4 * 3 + 3 * 3, "three of spikes a sphere, three of lost faces a size");
         assert!(figures.iter().all(|figure| figure.ours.is_none_or(f64::is_finite)));
         let scaled = of(finest, "scale 0.95").ink_over_length_px;
-        assert!((scaled / predicted::scaled_width_px(0.95) - 1.0).abs() < 0.15, "{scaled}");
+        assert!((scaled / derived::scaled_width_px(0.95) - 1.0).abs() < 0.15, "{scaled}");
     }
 
     /// Files of scanned, modelled and engineered meshes, all closed.

@@ -1,12 +1,12 @@
 //! The figures: the paper's with ours, and ours that it lacks.
 
+use super::derived;
 use super::lost::Lost;
 use super::measure::{MeshResult, Reproduction, VariantResult};
-use super::paper::{PaperRow, ROWS};
-use super::predicted;
+use super::printed::{PaperRow, ROWS};
 use super::soup::SoupResult;
 use super::variants::{AS_PRINTED, UNORIENTED, VARIANTS};
-use crate::reproduce::Figure;
+use crate::Figure;
 
 /// The section of the paper that holds its frame rates.
 const PERFORMANCE: &str = "5. Performance";
@@ -128,12 +128,12 @@ fn lost_faces(mesh: &MeshResult, at: usize, lost: &Lost) -> Vec<Figure> {
     let mut add = |suffix: &str, share: f64, note: &str| {
         figures.push(of(&format!("faces whose number is not read back, {suffix}"), "%", share, note));
     };
-    if let Some(shares) = predicted::lost(&mesh.name) {
+    if let Some(shares) = derived::lost(&mesh.name) {
         add("predicted", shares[at], "measured by an earlier experiment in a view that is not known");
     }
     if let Some(views) = mesh.views.and_then(|views| views.lost) {
-        let degrees = predicted::LOST_FOV_Y_RAD.to_degrees();
-        let note = format!("{} views spread evenly, {degrees:.0} degrees", super::views::VIEWS);
+        let degrees = derived::LOST_FOV_Y_RAD.to_degrees();
+        let note = format!("{} views spread evenly, {degrees:.0} degrees", super::spheres::VIEWS);
         add("mean of views", 100.0 * views.mean[at], &note);
         add("least of views", 100.0 * views.least[at], &note);
         add("most of views", 100.0 * views.most[at], &note);
@@ -167,15 +167,15 @@ fn sphere(mesh: &MeshResult, level: u32) -> Vec<Figure> {
     };
     let geometry = "from the smooth sphere's geometry";
     let mut figures: Vec<Figure> = [("scale 0.99", 0.99), ("scale 0.95", 0.95)]
-        .map(|(label, k)| of(label, "ink over length, predicted", predicted::scaled_width_px(k), geometry))
+        .map(|(label, k)| of(label, "ink over length, predicted", derived::scaled_width_px(k), geometry))
         .into();
-    if let Some((_, mean, farthest)) = predicted::FATTENED.into_iter().find(|row| row.0 == level) {
+    if let Some((_, mean, farthest)) = derived::FATTENED.into_iter().find(|row| row.0 == level) {
         let earlier = "measured by an earlier experiment in a view of its own";
         figures.push(of(AS_PRINTED.label, "ink over length, predicted", mean, earlier));
         figures.push(of(AS_PRINTED.label, "farthest ink, predicted", farthest, earlier));
     }
     if let Some(views) = mesh.views {
-        let note = format!("{} views spread evenly", super::views::VIEWS);
+        let note = format!("{} views spread evenly", super::spheres::VIEWS);
         figures.push(of(AS_PRINTED.label, "ink over length, mean of views", views.mean_width_px, &note));
         figures.push(of(AS_PRINTED.label, "farthest ink, least of views", views.farthest_px[0], &note));
         figures.push(of(AS_PRINTED.label, "farthest ink, most of views", views.farthest_px[1], &note));

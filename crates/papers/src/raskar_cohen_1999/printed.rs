@@ -54,7 +54,7 @@ const fn venus(variant: &'static str, fps: f64) -> PaperRow {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::image_precision::variants::VARIANTS;
+    use crate::raskar_cohen_1999::variants::VARIANTS;
 
     #[test]
     fn rates_kept_are_shares_and_variants_exist() {

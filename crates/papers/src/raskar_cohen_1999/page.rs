@@ -2,7 +2,7 @@
 
 use super::measure::{MeshResult, Reproduction};
 use super::table::{COLUMNS, cells, describe, printed_rows};
-use crate::reproduce::PAGE_STYLE;
+use crate::PAGE_STYLE;
 use minijinja::{Environment, Value, context};
 
 /// Name of the template; its ending makes the engine escape values for HTML.

@@ -5,26 +5,26 @@
 //! measures no picture; every variant's width, what it misses, what it adds and what shows through stand here, and on
 //! spheres beside what the geometry predicts.
 //!
-//! 1. [`variants`]: what is drawn. [`paper`]: what is printed.
+//! 1. [`variants`]: what is drawn. [`printed`]: what is printed.
 //! 2. [`picture`]: one variant's picture of a view, scored. [`timed`]: frames over plain ones. [`measure`]: all of it.
-//! 3. [`predicted`]: widths that follow from the geometry. [`views`]: spheres from many sides. [`lost`]: faces that a picture is
+//! 3. [`derived`]: widths that follow from the geometry. [`spheres`]: spheres from many sides. [`lost`]: faces that a picture is
 //!    too coarse for. [`soup`]: triangles whose winding says nothing.
 //! 4. [`rows`]: the figures. [`table`]: for a terminal. [`chart`]: widths and what shows through. [`page`]: for a browser.
 //!    [`write`](mod@write): as files.
 
 pub mod chart;
+pub mod derived;
 pub mod lost;
 pub mod measure;
 pub mod page;
-pub mod paper;
 pub mod picture;
-pub mod predicted;
+pub mod printed;
 pub mod rows;
 pub mod soup;
+pub mod spheres;
 pub mod table;
 pub mod timed;
 pub mod variants;
-pub mod views;
 pub mod write;
 
 pub use measure::{MeshResult, Reproduction, VariantResult, run};

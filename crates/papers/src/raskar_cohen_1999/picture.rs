@@ -1,8 +1,8 @@
 //! One picture, scored: the metrics of [`crate::metrics`], and what shows through.
 
-use crate::metrics::distance_transform::distance_transform;
-use crate::metrics::{Ink, LineMetrics, TruePen, measure};
-use crate::truth::TrueLines;
+use silhouette_compare::metrics::distance_transform::distance_transform;
+use silhouette_compare::metrics::{Ink, LineMetrics, TruePen, measure};
+use silhouette_compare::truth::TrueLines;
 
 /// Ink farther than this from every silhouette edge, seen or not, shows through from behind.
 pub const BLEED_PX: f64 = 5.0;
@@ -59,8 +59,8 @@ fn distances(ink: &Ink, lines: &TrueLines) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::truth::visible::VisibleLine;
     use glam::DVec2;
+    use silhouette_compare::truth::visible::VisibleLine;
     use silhouette_core::EdgeId;
 
     fn level_line() -> TrueLines {

@@ -2,9 +2,9 @@
 //! of a pixel are not read back either. How many front faces a picture loses so, and the ink that they get.
 
 use super::variants::{UNORIENTED, UNORIENTED_LIKE, Variant};
-use crate::drawing::{DrawError, Drawing, FrameStyle};
-use crate::metrics::Ink;
-use crate::registry::{self, Entry};
+use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle};
+use silhouette_compare::metrics::Ink;
+use silhouette_compare::registry::{self, Entry};
 use silhouette_core::method::OptionError;
 use silhouette_core::view::Camera;
 use silhouette_core::{FaceFacings, FaceId, PreparedMesh, Progress};
@@ -105,7 +105,8 @@ pub(super) fn draw(
     progress: &dyn Progress,
 ) -> Result<Ink, LostError> {
     let prepared = entry.prepare(mesh, &variant.options()?, progress).map_err(DrawError::from)?;
-    let style = FrameStyle { size: camera.size(), pen_width_px: crate::runner::DEFAULT_PEN_WIDTH_PX, samples: 1 };
+    let style =
+        FrameStyle { size: camera.size(), pen_width_px: silhouette_compare::runner::DEFAULT_PEN_WIDTH_PX, samples: 1 };
     let mut drawing = Drawing::new(gpu, mesh, prepared, style)?;
     drawing.draw(gpu, camera)?;
     Ok(Ink::from_picture(&drawing.picture(gpu)?))

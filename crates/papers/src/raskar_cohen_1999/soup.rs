@@ -2,7 +2,7 @@
 
 use super::lost::{self, LostError};
 use super::variants::{UNORIENTED, UNORIENTED_LIKE, Variant};
-use crate::registry;
+use silhouette_compare::registry;
 use silhouette_core::view::Camera;
 use silhouette_core::{PreparedMesh, Progress, TriangleMesh};
 use silhouette_render::Gpu;

@@ -1,8 +1,8 @@
 //! The chart: mean width and its deviation of every variant on every mesh but the spheres, and beside it what shows through.
 
 use super::measure::{MeshResult, Reproduction};
-use crate::plot::{FAINT_GRID, GRID, INK, line, paper, rounded, text};
-use crate::report::COLORS;
+use silhouette_compare::plot::{FAINT_GRID, GRID, INK, line, paper, rounded, text};
+use silhouette_compare::report::COLORS;
 use svg::node::element::{Group, Rectangle};
 
 /// Height of a row and of a mesh's title, in pixels.

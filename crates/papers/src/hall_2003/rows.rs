@@ -1,8 +1,8 @@
 //! The figures of the paper's table with ours, one row a figure.
 
 use super::measure::{MeshResult, Reproduction, VariantResult};
-use super::paper::{BUNNY, LEVELS_RAD, OTHERS, PaperModel, model_of};
-use crate::reproduce::Figure;
+use super::printed::{BUNNY, LEVELS_RAD, OTHERS, PaperModel, model_of};
+use crate::Figure;
 
 /// The section of the paper that holds the table.
 const TABLE: &str = "Performance";

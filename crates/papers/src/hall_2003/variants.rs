@@ -1,7 +1,7 @@
 //! What flies the path: the paper's methods, what was added to them, and what they compete with today.
 
-use super::paper::LEVELS_RAD;
-use crate::registry::{self, EdgeMethod, Prepared};
+use super::printed::LEVELS_RAD;
+use silhouette_compare::registry::{self, EdgeMethod, Prepared};
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint};
 use silhouette_tracking::{

@@ -1,16 +1,16 @@
 //! Every variant over the path around every mesh.
 
+use super::circles::{CIRCLE, Circle, Frame, Path, circles};
 use super::counted::{Counted, count_flight, flight_frames};
-use super::paper::model_of;
-use super::path::{CIRCLE, Circle, Frame, Path, circles};
-use super::recall::Missed;
+use super::missed::Missed;
+use super::printed::model_of;
 use super::timed::time_frames;
 use super::variants::{Flier, Variant};
 use super::visible::{VisibleError, VisibleFrames, pictured_frames};
-use crate::cost::Spread;
-use crate::machine::{describe_machine, describe_program};
-use crate::record::Profile;
-use crate::runner::NamedMesh;
+use silhouette_compare::cost::Spread;
+use silhouette_compare::machine::{describe_machine, describe_program};
+use silhouette_compare::record::Profile;
+use silhouette_compare::runner::NamedMesh;
 use silhouette_core::loops::start_vertex;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::method::PrepareError;

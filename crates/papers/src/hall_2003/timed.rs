@@ -4,7 +4,7 @@
 //! application, and all do so several times in turn, so that a change of the machine's speed meets all alike. A frame's
 //! time is its least over these rounds; the median over frames is what is told.
 
-use super::path::Frame;
+use super::circles::Frame;
 use super::variants::Flier;
 use silhouette_core::{Cancelled, Progress};
 use silhouette_tracking::Tracker;

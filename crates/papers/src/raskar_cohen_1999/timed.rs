@@ -1,6 +1,6 @@
 //! Frame times over plain rendering, in the same run.
 
-use crate::drawing::{DrawError, Drawing, FrameStyle, PAPER};
+use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle, PAPER};
 use silhouette_core::view::Camera;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_gpu::MeshBuffers;
@@ -80,7 +80,7 @@ pub fn time(
     }
     let medians: Vec<f64> = samples
         .iter()
-        .map(|samples| crate::cost::Spread::of(samples).map_or(f64::NAN, |spread| spread.median))
+        .map(|samples| silhouette_compare::cost::Spread::of(samples).map_or(f64::NAN, |spread| spread.median))
         .collect();
     Ok(FrameTimes { plain_ms: medians[0], plain_culled_ms: medians[1], variants_ms: medians[2..].to_vec() })
 }

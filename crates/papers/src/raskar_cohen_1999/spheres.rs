@@ -1,12 +1,12 @@
 //! Spheres from many sides: how far the farthest spike of the printed law reaches, and which of some sixty faces a picture
 //! loses, goes with the view.
 
+use super::derived;
 use super::lost::{self, LostError};
-use super::predicted;
 use super::variants::AS_PRINTED;
-use crate::drawing::DrawError;
-use crate::registry;
 use glam::{DVec3, Vec3};
+use silhouette_compare::drawing::DrawError;
+use silhouette_compare::registry;
 use silhouette_core::view::{Camera, ViewError};
 use silhouette_core::{PreparedMesh, Progress, Projection};
 use silhouette_render::Gpu;
@@ -50,15 +50,15 @@ fn directions() -> impl Iterator<Item = DVec3> {
 
 /// The camera of the predictions in a direction from the sphere.
 pub(super) fn camera(direction: DVec3) -> Result<Camera, ViewError> {
-    camera_through(direction, predicted::FOV_Y_RAD)
+    camera_through(direction, derived::FOV_Y_RAD)
 }
 
 /// The same with another field of view.
 fn camera_through(direction: DVec3, fov_y_rad: f64) -> Result<Camera, ViewError> {
-    let eye = direction.normalize() * predicted::DISTANCE;
+    let eye = direction.normalize() * derived::DISTANCE;
     let projection = Projection::Perspective { fov_y_rad };
     let up = if direction.y.abs() > 0.9 * direction.length() { Vec3::X } else { Vec3::Y };
-    Camera::new(eye.as_vec3(), Vec3::ZERO, up, projection, [predicted::SIZE_PX; 2])
+    Camera::new(eye.as_vec3(), Vec3::ZERO, up, projection, [derived::SIZE_PX; 2])
 }
 
 /// Draws an icosphere around the origin from every direction.
@@ -68,10 +68,10 @@ pub(super) fn measure(
     mesh: &Arc<PreparedMesh>,
     progress: &dyn Progress,
 ) -> Result<SphereViews, LostError> {
-    let lost = predicted::lost(name).map(|_| measure_lost(gpu, mesh, progress)).transpose()?;
+    let lost = derived::lost(name).map(|_| measure_lost(gpu, mesh, progress)).transpose()?;
     let entry = registry::find("image-precision")?;
-    let radius = predicted::outline_radius_px();
-    let middle = 0.5 * f64::from(predicted::SIZE_PX);
+    let radius = derived::outline_radius_px();
+    let middle = 0.5 * f64::from(derived::SIZE_PX);
     let mut all = SphereViews { mean_width_px: 0.0, farthest_px: [f64::INFINITY, 0.0], lost };
     for direction in directions() {
         let camera = camera(direction)?;
@@ -86,12 +86,12 @@ pub(super) fn measure(
 }
 
 /// Counts the faces of an icosphere around the origin that pictures lose, from every direction through
-/// [`predicted::LOST_FOV_Y_RAD`]. Four pictures a view, one of them of [`lost::FINE_PX`]: half a second a view in software.
+/// [`derived::LOST_FOV_Y_RAD`]. Four pictures a view, one of them of [`lost::FINE_PX`]: half a second a view in software.
 fn measure_lost(gpu: &Gpu, mesh: &PreparedMesh, progress: &dyn Progress) -> Result<LostOverViews, LostError> {
     let mut all = LostOverViews { mean: [0.0; 3], least: [1.0; 3], most: [0.0; 3] };
     for direction in directions() {
         progress.check().map_err(|cancelled| DrawError::Prepare(cancelled.into()))?;
-        let camera = camera_through(direction, predicted::LOST_FOV_Y_RAD)?;
+        let camera = camera_through(direction, derived::LOST_FOV_Y_RAD)?;
         for (at, share) in lost::shares(gpu, mesh, &camera)?.into_iter().enumerate() {
             all.mean[at] += share / f64::from(VIEWS);
             all.least[at] = all.least[at].min(share);

@@ -1,10 +1,10 @@
 //! The table for people: a row a variant.
 
 use super::measure::{MeshResult, Reproduction, VariantResult};
-use super::paper::ROWS;
+use super::printed::ROWS;
 use super::rows::rate_kept;
 use super::variants::VARIANTS;
-use crate::reproduce::Column;
+use crate::Column;
 use std::io::{self, Write};
 
 /// The columns behind the variant's name.
@@ -54,7 +54,7 @@ pub fn printed_rows(reproduction: &Reproduction) -> Vec<(String, f64, Option<f64
         let mesh = reproduction.meshes.iter().find(|mesh| mesh.name == stand_in)?;
         rate_kept(mesh, label)
     };
-    let row = |row: &super::paper::PaperRow| {
+    let row = |row: &super::printed::PaperRow| {
         let label = format!("{} ({} triangles), {}", row.model, row.triangles, row.variant);
         (label, row.rate_kept(), ours(row.stand_in, row.variant))
     };

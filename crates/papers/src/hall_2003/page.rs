@@ -1,11 +1,11 @@
 //! The page: template embedded, chart inline, everything that a user named escaped.
 
+use super::circles::{CIRCLE, STEP_DEG};
 use super::measure::{MeshResult, Reproduction};
-use super::paper::{BUNNY, model_of};
-use super::path::{CIRCLE, STEP_DEG};
+use super::printed::{BUNNY, model_of};
 use super::table::{COLUMNS, cells, counted_ranges, describe};
 use super::timed::ROUNDS;
-use crate::reproduce::PAGE_STYLE;
+use crate::PAGE_STYLE;
 use minijinja::{Environment, Value, context};
 
 /// Name of the template; its ending makes the engine escape values for HTML.

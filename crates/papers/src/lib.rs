@@ -1,13 +1,13 @@
 //! Figures of papers beside ours.
 //!
-//! [`figure`]: the format, one row a figure. [`files`]: what a reproduction is written as. [`tracking`]: Hall's table of speeds, and what it does not tell.
-//! [`image_precision`]: Raskar and Cohen's frame rates, and what their pictures show.
+//! [`figure`]: the format, one row a figure. [`files`]: what a reproduction is written as. [`hall_2003`]: Hall's table of speeds, and what it does not tell.
+//! [`raskar_cohen_1999`]: Raskar and Cohen's frame rates, and what their pictures show.
 
 mod column;
 pub mod figure;
 pub mod files;
-pub mod image_precision;
-pub mod tracking;
+pub mod hall_2003;
+pub mod raskar_cohen_1999;
 
 pub use column::Column;
 pub use figure::{Figure, TableError, read_figures, write_figures};

@@ -1,9 +1,9 @@
-//! The reproduction as files, its chart as `variants.svg`. See [`files`](crate::reproduce::files).
+//! The reproduction as files, its chart as `variants.svg`. See [`files`](crate::files).
 
 use super::measure::Reproduction;
 use super::rows::figures;
 use super::{chart, page};
-use crate::reproduce::files::{Files, WriteError};
+use crate::files::{Files, WriteError};
 use std::path::{Path, PathBuf};
 
 /// Writes a reproduction and yields the path of its page. The directory appears as a whole or not at all; one that holds
@@ -21,7 +21,7 @@ pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, W
 mod tests {
     use super::super::measure::tests::of_one_mesh;
     use super::*;
-    use crate::reproduce::read_figures;
+    use crate::read_figures;
 
     #[test]
     fn every_figure_is_written() {

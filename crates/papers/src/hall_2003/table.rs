@@ -1,9 +1,9 @@
 //! The table for people: a row a variant, the paper's speed-up beside ours.
 
+use super::circles::STEP_DEG;
 use super::measure::{MeshResult, Reproduction, VariantResult};
-use super::paper::model_of;
-use super::path::STEP_DEG;
-use crate::reproduce::Column;
+use super::printed::model_of;
+use crate::Column;
 use std::io::{self, Write};
 
 /// The columns behind the variant's name.

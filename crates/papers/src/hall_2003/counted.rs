@@ -4,7 +4,7 @@
 //! no other past, and counts all frames but that first one.
 
 use super::variants::Flier;
-use crate::record::Profile;
+use silhouette_compare::record::Profile;
 use silhouette_core::{Cancelled, Progress, Viewpoint};
 
 /// Frames of the flight: with [`Profile::Full`] a whole turn.

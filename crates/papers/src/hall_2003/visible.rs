@@ -1,10 +1,10 @@
 //! What a frame misses of the silhouette that can be seen: length in pixels, hidden parts left out.
 
-use super::path::{Frame, Path};
-use super::recall::Share;
-use crate::record::Profile;
-use crate::truth::TrueLines;
-use crate::truth::{TruthError, TruthFinder};
+use super::circles::{Frame, Path};
+use super::missed::Share;
+use silhouette_compare::record::Profile;
+use silhouette_compare::truth::TrueLines;
+use silhouette_compare::truth::{TruthError, TruthFinder};
 use silhouette_core::view::ViewError;
 use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges};
 use std::sync::Arc;
@@ -21,7 +21,7 @@ pub enum VisibleError {
     Truth(#[from] TruthError),
 }
 
-/// The visible lines of some frames: the [truth](crate::truth).
+/// The visible lines of some frames: the [truth](silhouette_compare::truth).
 #[derive(Debug)]
 pub struct VisibleFrames {
     lines: Vec<TrueLines>,
@@ -71,8 +71,8 @@ impl VisibleFrames {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::truth::TrueSample;
     use glam::DVec2;
+    use silhouette_compare::truth::TrueSample;
     use silhouette_core::EdgeId;
 
     #[test]
