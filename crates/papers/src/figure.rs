@@ -1,93 +1,120 @@
-//! Figures of a paper beside ours: one row a figure.
+//! Figures of a paper beside ours: the cells of tables as rows of a file, in JSON Lines.
+//!
+//! ```json
+//! {"method","table","row","metric","unit","paper","ours","ratio","comparable","note"}
+//! ```
+//!
+//! | key | holds |
+//! |---|---|
+//! | `method` | name of the paper on the command line |
+//! | `table` | which table or section of the paper, as printed there |
+//! | `row`, `metric`, `unit` | what is measured; a range has three rows: `METRIC` for its median, `METRIC, least`, `METRIC, most` |
+//! | `paper` | the printed value, null where there is none |
+//! | `ours` | the measured value, null where it was not measured |
+//! | `ratio` | ours / paper; null unless `comparable` |
+//! | `comparable` | whether both values exist, and only the method differs between them |
+//! | `note` | why a printed value is not comparable; what else has to be known |
 
-use serde::{Deserialize, Serialize};
-use std::io::{self, BufRead, Write};
+use crate::table::{Cell, Comparable, Ours, Printed, Table};
+use serde::Serialize;
+use std::io::{self, Write};
 
-/// One figure that a paper prints, with the same figure measured here. `ratio` is always `ours / paper`: it is computed
-/// when the row is made or read, so it cannot disagree.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(from = "StoredFigure", into = "StoredFigure")]
+/// One figure: a row of the file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Figure {
-    /// Name of the method.
+    /// Name of the paper on the command line.
     pub method: String,
-    /// Which table or figure of the paper, as printed there.
+    /// Which table or section of the paper, as printed there.
     pub table: String,
     /// Which row of it.
     pub row: String,
     /// What is measured.
     pub metric: String,
-    /// Unit of both values.
+    /// Unit of both values; empty for ratios.
     pub unit: String,
     /// The paper's value; `None` where it prints none.
     pub paper: Option<f64>,
-    /// Our value; `None` where it could not be measured.
+    /// Our value; `None` where it was not measured.
     pub ours: Option<f64>,
-    /// Whether the two may be compared: a time on other hardware may not.
+    /// `ours / paper` where the two are comparable.
+    pub ratio: Option<f64>,
+    /// Whether both values exist and only the method differs between them.
     pub comparable: bool,
-    /// What a reader has to know: another model, another machine, a guess.
+    /// Why a printed value is not comparable, and what else has to be known.
     pub note: String,
 }
 
-impl Figure {
-    /// `ours / paper`; `None` where a value is missing or the quotient is not finite.
-    pub fn ratio(&self) -> Option<f64> {
-        let ratio = self.ours? / self.paper?;
-        ratio.is_finite().then_some(ratio)
+/// Every figure of some tables, in their order.
+pub fn figures(method: &str, tables: &[Table]) -> Vec<Figure> {
+    tables.iter().flat_map(|table| of_table(method, table)).collect()
+}
+
+fn of_table(method: &str, table: &Table) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    for row in &table.rows {
+        for (column, cell) in table.columns.iter().zip(&row.cells) {
+            if cell.ours.is_none() && cell.paper.is_none() {
+                continue;
+            }
+            let middle = Figure {
+                method: method.to_owned(),
+                table: table.name.to_owned(),
+                row: table.row_name(row),
+                metric: column.metric.to_owned(),
+                unit: column.unit.to_owned(),
+                paper: cell.paper.as_ref().map(|printed| printed.value),
+                ours: cell.ours.map(Ours::middle),
+                ratio: ratio(cell),
+                comparable: is_comparable(cell),
+                note: note(cell, row.remark),
+            };
+            let Some(Ours::Range(range)) = cell.ours else {
+                figures.push(middle);
+                continue;
+            };
+            let end = |name: &str, value: f64| Figure {
+                metric: format!("{}, {name}", column.metric),
+                paper: None,
+                ours: Some(value),
+                ratio: None,
+                comparable: false,
+                note: format!("{name} over {}", range.over),
+                ..middle.clone()
+            };
+            let ends = [end("least", range.least), end("most", range.most)];
+            figures.push(middle);
+            figures.extend(ends);
+        }
     }
+    figures
 }
 
-/// [`Figure`] as a row of a file.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-struct StoredFigure {
-    method: String,
-    table: String,
-    row: String,
-    metric: String,
-    unit: String,
-    paper: Option<f64>,
-    ours: Option<f64>,
-    #[serde(default)]
-    ratio: Option<f64>,
-    comparable: bool,
-    note: String,
+fn is_comparable(cell: &Cell) -> bool {
+    matches!((cell.ours, &cell.paper), (Some(_), Some(Printed { comparable: Comparable::Yes, .. })))
 }
 
-impl From<StoredFigure> for Figure {
-    fn from(stored: StoredFigure) -> Self {
-        let StoredFigure { method, table, row, metric, unit, paper, ours, ratio: _, comparable, note } = stored;
-        Self { method, table, row, metric, unit, paper, ours, comparable, note }
+fn ratio(cell: &Cell) -> Option<f64> {
+    let (ours, printed) = (cell.ours?, cell.paper.as_ref()?);
+    let ratio = ours.middle() / printed.value;
+    (is_comparable(cell) && ratio.is_finite()).then_some(ratio)
+}
+
+fn note(cell: &Cell, remark: &str) -> String {
+    let mut parts = Vec::new();
+    if let (Some(_), Some(Printed { comparable: Comparable::No(reason), .. })) = (cell.ours, &cell.paper) {
+        parts.push(format!("not comparable: {reason}"));
     }
-}
-
-impl From<Figure> for StoredFigure {
-    fn from(figure: Figure) -> Self {
-        let ratio = figure.ratio();
-        let Figure { method, table, row, metric, unit, paper, ours, comparable, note } = figure;
-        Self { method, table, row, metric, unit, paper, ours, ratio, comparable, note }
+    if let Some(Ours::Range(range)) = cell.ours {
+        parts.push(format!("median over {}", range.over));
     }
-}
-
-/// Why a table of figures could not be read.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum TableError {
-    /// The file could not be read.
-    #[error(transparent)]
-    Io(#[from] io::Error),
-    /// A line is no figure.
-    #[error("line {line}: {source}")]
-    Line {
-        /// The line, from 1.
-        line: usize,
-        /// What is wrong with it.
-        source: serde_json::Error,
-    },
+    parts.extend([cell.note.as_str(), remark].into_iter().filter(|part| !part.is_empty()).map(str::to_owned));
+    parts.join("; ")
 }
 
 /// Writes figures as JSON Lines.
 ///
 /// # Errors
-/// Whatever `out` reports.
+/// Those of `out`.
 pub fn write_figures(figures: &[Figure], mut out: impl Write) -> io::Result<()> {
     for figure in figures {
         serde_json::to_writer(&mut out, figure)?;
@@ -96,66 +123,44 @@ pub fn write_figures(figures: &[Figure], mut out: impl Write) -> io::Result<()> 
     Ok(())
 }
 
-/// Reads figures from JSON Lines; empty lines are skipped, a stored ratio is ignored.
-///
-/// # Errors
-/// [`TableError`] names the first line that is no figure.
-pub fn read_figures(input: impl BufRead) -> Result<Vec<Figure>, TableError> {
-    let mut figures = Vec::new();
-    for (index, line) in input.lines().enumerate() {
-        let line = line?;
-        if !line.trim().is_empty() {
-            let figure = serde_json::from_str(&line).map_err(|source| TableError::Line { line: index + 1, source })?;
-            figures.push(figure);
-        }
-    }
-    Ok(figures)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn figure(paper: Option<f64>, ours: Option<f64>) -> Figure {
-        let text = |text: &str| text.to_owned();
-        Figure {
-            method: text("brute-force"),
-            table: text("Table 1"),
-            row: text("sphere, 320 faces"),
-            metric: text("edges tested"),
-            unit: text("edges"),
-            paper,
-            ours,
-            comparable: true,
-            note: String::new(),
-        }
-    }
+    use crate::table::tests::table;
 
     #[test]
-    fn figures_survive_a_file() {
-        let figures = [figure(Some(4.0), Some(6.0)), figure(None, Some(1.0)), figure(Some(0.0), Some(1.0))];
+    fn each_value_is_a_row_of_the_documented_keys() {
+        let figures = figures("method", &[table()]);
         let mut file = Vec::new();
         write_figures(&figures, &mut file).unwrap();
-        assert_eq!(read_figures(&file[..]).unwrap(), figures);
         let text = String::from_utf8(file).unwrap();
-        let row: serde_json::Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
+        let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
         let keys = ["method", "table", "row", "metric", "unit", "paper", "ours", "ratio", "comparable", "note"];
-        assert!(keys.iter().all(|key| row.get(key).is_some()) && row.as_object().unwrap().len() == keys.len());
-        assert_eq!(row["ratio"], 1.5);
+        for row in &rows {
+            assert!(keys.iter().all(|key| row.get(key).is_some()) && row.as_object().unwrap().len() == keys.len());
+        }
+        let metrics: Vec<_> = rows.iter().map(|row| row["metric"].as_str().unwrap()).collect();
+        assert_eq!(metrics, ["width", "width, least", "width, most", "frame time", "width"]);
+        assert_eq!(rows[0]["note"], "median over three views; a note; as printed");
+        assert_eq!(rows[0]["row"], "<b>mesh</b>, printed row");
     }
 
     #[test]
-    fn a_wrong_stored_ratio_is_not_believed() {
-        let mut row = serde_json::to_value(figure(Some(2.0), Some(1.0))).unwrap();
-        row["ratio"] = 99.0.into();
-        let read = read_figures(row.to_string().as_bytes()).unwrap();
-        assert_eq!(read[0].ratio(), Some(0.5));
-        assert_eq!(figure(Some(0.0), Some(1.0)).ratio(), None);
+    fn a_ratio_stands_where_the_two_are_comparable_and_a_reason_elsewhere() {
+        let figures = figures("method", &[table()]);
+        let [median, least, _, time, ours] = &figures[..] else { panic!("{figures:?}") };
+        assert_eq!((median.paper, median.ratio, median.comparable), (Some(2.5), Some(0.8), true));
+        assert_eq!((least.paper, least.ours, least.comparable), (None, Some(1.0), false));
+        assert_eq!((time.paper, time.ratio, time.comparable), (Some(20.0), None, false));
+        assert!(time.note.starts_with("not comparable: another <machine>"), "{}", time.note);
+        assert_eq!((ours.paper, ours.comparable, ours.note.as_str()), (None, false, ""));
     }
 
     #[test]
-    fn a_bad_line_is_named() {
-        let text = format!("{}\n\nnonsense\n", serde_json::to_string(&figure(None, None)).unwrap());
-        assert!(read_figures(text.as_bytes()).unwrap_err().to_string().starts_with("line 3: "));
+    fn what_was_not_measured_is_not_comparable() {
+        let mut table = table();
+        table.rows[0].cells[0].ours = None;
+        let figure = &figures("method", &[table])[0];
+        assert_eq!((figure.paper, figure.ours, figure.ratio, figure.comparable), (Some(2.5), None, None, false));
     }
 }

@@ -2,18 +2,23 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `index.html` | tables and chart for people; asks nothing of the network |
-//! | `tables.jsonl` | every figure, one [`Figure`] a line |
-//! | `*.svg` | the chart |
-//! | `silhouettes-reproduction.json` | the marker by which a later run knows that it may replace the directory |
+//! | `index.html` | tables and charts for people; asks nothing of the network |
+//! | `tables.jsonl` | every [figure](crate::figure), one per line |
+//! | `*.svg` | the charts |
+//! | `silhouettes-reproduction.json` | marks the directory as one that a later run may replace |
 
-use super::figure::{Figure, write_figures};
+use crate::figure::{figures, write_figures};
+use crate::page;
+use crate::paper::Reproduction;
 use silhouette_compare::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// How reproductions are known.
+/// How directories of reproductions are recognised.
 const REPRODUCTION: DirectoryKind = DirectoryKind { noun: "reproduction", marker: "silhouettes-reproduction.json" };
+
+const TABLES: &str = "tables.jsonl";
+const PAGE: &str = "index.html";
 
 /// Why a reproduction could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -35,7 +40,7 @@ pub enum WriteError {
     Page(#[from] minijinja::Error),
 }
 
-/// Whether a reproduction may be written to `directory`: nothing there, an empty directory, or an earlier reproduction
+/// Whether a reproduction may be written to `directory`: nothing is there, an empty directory, or an earlier reproduction
 /// without any file of somebody else's. Ask before a long run; writing asks again.
 ///
 /// # Errors
@@ -44,70 +49,43 @@ pub fn check_target(directory: &Path) -> Result<(), DirectoryError> {
     REPRODUCTION.check_target(directory)
 }
 
-/// What a reproduction consists of.
-pub(super) struct Files {
-    /// Every figure.
-    pub figures: Vec<Figure>,
-    /// What the chart is called, and the chart.
-    pub chart: (&'static str, String),
-    /// The page.
-    pub page: String,
-}
-
-impl Files {
-    /// Writes them and yields the path of the page. The directory appears as a whole or not at all; one that holds an
-    /// earlier reproduction is replaced.
-    ///
-    /// # Errors
-    /// [`WriteError`]; whatever was at `directory` before is still there.
-    pub fn write(self, directory: &Path) -> Result<PathBuf, WriteError> {
-        let mut staged = StagedDirectory::begin(directory, REPRODUCTION)?;
-        let mut table = Vec::new();
-        let written = write_figures(&self.figures, &mut table);
-        written.map_err(|source| WriteError::Io { path: directory.join(TABLES), source })?;
-        let (chart_name, chart) = self.chart;
-        for (name, bytes) in [(TABLES, table), (chart_name, chart.into_bytes()), (PAGE, self.page.into_bytes())] {
-            let path = staged.file(name)?;
-            std::fs::write(&path, bytes).map_err(|source| WriteError::Io { path, source })?;
-        }
-        staged.commit()?;
-        Ok(directory.join(PAGE))
+/// Writes all files and yields the path of the page. The directory appears as a whole or not at all; one that holds an
+/// earlier reproduction is replaced.
+///
+/// # Errors
+/// [`WriteError`]; what was at `directory` before is still there.
+pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, WriteError> {
+    let mut staged = StagedDirectory::begin(directory, REPRODUCTION)?;
+    let mut table = Vec::new();
+    let measured = &reproduction.measured;
+    let written = write_figures(&figures(reproduction.paper.name, &measured.tables), &mut table);
+    written.map_err(|source| WriteError::Io { path: directory.join(TABLES), source })?;
+    let page = page::render(reproduction)?;
+    let charts = measured.charts.iter().map(|chart| (chart.file_name, chart.svg.as_bytes()));
+    for (name, bytes) in charts.chain([(TABLES, &table[..]), (PAGE, page.as_bytes())]) {
+        let path = staged.file(name)?;
+        std::fs::write(&path, bytes).map_err(|source| WriteError::Io { path, source })?;
     }
+    staged.commit()?;
+    Ok(directory.join(PAGE))
 }
-
-const TABLES: &str = "tables.jsonl";
-const PAGE: &str = "index.html";
 
 #[cfg(test)]
 mod tests {
-    use super::super::figure::read_figures;
     use super::*;
-
-    fn files(ours: f64) -> Files {
-        let text = String::new;
-        let figure = Figure {
-            method: text(),
-            table: text(),
-            row: text(),
-            metric: text(),
-            unit: text(),
-            paper: None,
-            ours: Some(ours),
-            comparable: true,
-            note: text(),
-        };
-        Files { figures: vec![figure], chart: ("chart.svg", "<svg/>".to_owned()), page: "<html>".to_owned() }
-    }
+    use crate::paper::tests::reproduction;
 
     #[test]
     fn files_hold_every_figure_and_replace_those_of_before() {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join("out");
-        for ours in [1.0, 2.0] {
+        for rows in [2, 1] {
             check_target(&target).unwrap();
-            assert_eq!(files(ours).write(&target).unwrap(), target.join("index.html"));
-            let read = read_figures(&std::fs::read(target.join("tables.jsonl")).unwrap()[..]).unwrap();
-            assert_eq!(read.iter().map(|figure| figure.ours).collect::<Vec<_>>(), [Some(ours)]);
+            let mut reproduction = reproduction();
+            reproduction.measured.tables[0].rows.truncate(rows);
+            assert_eq!(write(&reproduction, &target).unwrap(), target.join("index.html"));
+            let lines = std::fs::read_to_string(target.join("tables.jsonl")).unwrap();
+            assert_eq!(lines.lines().count(), figures("", &reproduction.measured.tables).len());
         }
         let mut names: Vec<_> = target.read_dir().unwrap().map(|entry| entry.unwrap().file_name()).collect();
         names.sort();
@@ -120,7 +98,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let theirs = folder.path().join("silhouettes-report.json");
         std::fs::write(&theirs, "{\"version\":\"1\",\"files\":[]}").unwrap();
-        let refused = files(1.0).write(folder.path()).unwrap_err().to_string();
+        let refused = write(&reproduction(), folder.path()).unwrap_err().to_string();
         assert!(refused.contains("is no reproduction of this program"), "{refused}");
         assert!(theirs.exists() && check_target(folder.path()).is_err());
     }

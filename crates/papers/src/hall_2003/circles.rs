@@ -1,13 +1,14 @@
-//! The path of the eye: a level circle, a tenth of a degree a frame where it is measured.
+//! Where the eye flies: level circles, a tenth of a degree per frame where it is measured.
 //!
-//! The paper says that the position differs from frame to frame, and no more. Its counts at high levels follow the length
-//! of the silhouette, which the path decides. So counts are told with their range over twenty circles ([`circles`]); all
-//! else is measured on [`CIRCLE`], one of them, which comes close to the paper.
+//! The paper says that the position differs from frame to frame, and no more. Its figures at high levels follow the length
+//! of the silhouette, which the path decides. So no path is preferred: counts are ranges over twenty circles
+//! ([`circles`]), near and far, from below and above. Times, and what is missed, are measured on [`CIRCLE`], which is the
+//! one in the middle of the distances and level with the mesh, whatever its figures are.
 //!
 //! Counts are those of one flight ([`Circle::flight`]) whose first frame is found by brute force, as the paper begins. For
-//! all else twelve arcs of small steps, evenly around the mesh, are measured. Between them, and for a whole turn before the first,
-//! the eye flies on in steps of a degree: trackers keep their past, so that what they miss is what is missed after any long
-//! flight, and not what brute force has left them to lose.
+//! all else twelve arcs of small steps, evenly around the mesh, are measured. Between them, and for a whole turn before the
+//! first, the eye flies on in steps of a degree: trackers keep their past, so that what they miss is what is missed after
+//! any long flight, and not what brute force has left them to lose.
 
 use glam::DVec3;
 use silhouette_core::Viewpoint;
@@ -27,10 +28,11 @@ pub struct Circle {
     pub elevation_deg: f64,
 }
 
-/// The circle that is flown.
-pub const CIRCLE: Circle = Circle { distance_radii: 2.0, elevation_deg: -40.0 };
+/// The circle for times and for what is missed, by rule: the middle one of the distances of [`circles`], level with the
+/// middle of the mesh.
+pub const CIRCLE: Circle = Circle { distance_radii: 3.0, elevation_deg: 0.0 };
 
-/// Twenty circles, near and far, from below and above: [`CIRCLE`] is among them.
+/// Twenty circles, near and far, from below and above; [`CIRCLE`] is among them.
 pub fn circles() -> impl Iterator<Item = Circle> {
     let elevations =
         |distance_radii| [-40.0, 0.0, 40.0, 80.0].map(|elevation_deg| Circle { distance_radii, elevation_deg });
@@ -55,7 +57,7 @@ impl Circle {
 /// Where the first arc begins.
 const FIRST_ARC_DEG: f64 = 24.0;
 
-/// Arcs that are measured.
+/// Number of arcs that are measured.
 const ARCS: u32 = 12;
 
 /// Part of the picture that stays free around the bounding sphere.
@@ -64,9 +66,9 @@ const MARGIN: f64 = 0.05;
 /// A frame of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// What is seen from.
+    /// Where it is seen from.
     pub view: Viewpoint,
-    /// Whether it counts.
+    /// Whether it is measured, or only leads to the next arc.
     pub is_measured: bool,
 }
 
@@ -74,7 +76,7 @@ pub struct Frame {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Path {
     bounds: Bounds,
-    /// Measured frames an arc.
+    /// Measured frames per arc.
     per_arc: u32,
 }
 
@@ -89,7 +91,7 @@ impl Path {
         (1..=360_u32).rev().map(|back| self.view(FIRST_ARC_DEG - f64::from(back)))
     }
 
-    /// The frames: to each arc, and along it.
+    /// The frames: along each arc, and on to the next.
     pub fn frames(&self) -> Vec<Frame> {
         let between_deg = 360.0 / f64::from(ARCS);
         let arc_deg = STEP_DEG * f64::from(self.per_arc);
@@ -145,10 +147,11 @@ mod tests {
         let all: Vec<_> = views.chain(frames.iter().map(|frame| (frame.view, frame.is_measured))).collect();
         assert_eq!(frames.iter().filter(|frame| frame.is_measured).count(), 60);
         let level = CIRCLE.elevation_deg.to_radians().cos();
+        let radius = CIRCLE.distance_radii * BOUNDS.radius;
         for pair in all.windows(2) {
             let [(before, _), (now, is_measured)] = [pair[0], pair[1]];
-            assert!((eye(now).length() - 3.0).abs() < 1e-5);
-            let angle_deg = (eye(before).distance(eye(now)) / 3.0).to_degrees() / level;
+            assert!((eye(now).length() - radius).abs() < 1e-5);
+            let angle_deg = (eye(before).distance(eye(now)) / radius).to_degrees() / level;
             let right = if is_measured { (angle_deg / STEP_DEG - 1.0).abs() < 1e-3 } else { angle_deg < 1.001 };
             assert!(right, "{angle_deg}");
         }
@@ -157,11 +160,23 @@ mod tests {
     }
 
     #[test]
+    fn the_circle_is_the_middle_one_by_rule() {
+        let sorted = |value: fn(Circle) -> f64| {
+            let mut values: Vec<f64> = circles().map(value).collect();
+            values.sort_by(f64::total_cmp);
+            values
+        };
+        let distances = sorted(|circle| circle.distance_radii);
+        assert_eq!([distances[9], distances[10]], [CIRCLE.distance_radii; 2]);
+        assert!(CIRCLE.elevation_deg.abs() < 1e-12);
+        assert_eq!((circles().count(), circles().filter(|&circle| circle == CIRCLE).count()), (20, 1));
+    }
+
+    #[test]
     fn a_flight_of_3600_frames_is_a_turn_and_begins_with_one_more() {
         let views: Vec<_> = CIRCLE.flight(BOUNDS, 3600).map(eye).collect();
         assert_eq!(views.len(), 3601);
         assert!(views[0].distance(views[3600]) < 1e-5 && views[0].distance(views[1800]) > 4.0);
-        assert_eq!((circles().count(), circles().filter(|&circle| circle == CIRCLE).count()), (20, 1));
     }
 
     #[test]

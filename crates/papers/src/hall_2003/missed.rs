@@ -24,7 +24,7 @@ impl Share {
     }
 }
 
-/// What was missed over some frames. Each adds what it has: a frame with a longer silhouette counts more.
+/// What was missed over some frames. Frames add up: one with a longer silhouette weighs more.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Missed {
     /// Of the silhouette's edges.
@@ -60,7 +60,7 @@ impl Missed {
 mod tests {
     use super::*;
 
-    /// Loops of 3, 1 and 4 half-edges; the length of each is one more than its number.
+    /// Loops of 3, 1 and 4 half-edges; the length of each is its id plus one.
     fn missed(is_found: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut truth = SilhouetteLoops::default();
         for half_edges in [0..3, 3..4, 4..8] {
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn who_finds_all_misses_nothing_and_who_finds_nothing_all() {
+    fn finding_all_misses_nothing_and_finding_nothing_misses_all() {
         assert_eq!(missed(|_| true), [0.0; 3]);
         assert_eq!(missed(|_| false), [100.0; 3]);
     }

@@ -1,4 +1,4 @@
-//! What Hall prints: frames a second on a Pentium III of 650 MHz, and speed-ups over brute force.
+//! What Hall prints: frames per second on a Pentium III of 650 MHz, and speed-ups over brute force.
 
 /// The concavity levels of the table, in radians.
 pub const LEVELS_RAD: [f32; 6] = [0.0, 0.01, 0.1, 0.2, 0.5, 1.0];
@@ -10,17 +10,17 @@ pub struct PaperModel {
     pub name: &'static str,
     /// Faces, as printed.
     pub faces: usize,
-    /// Frames a second by brute force.
+    /// Frames per second by brute force.
     pub brute_force_fps: f64,
-    /// Frames a second by tracking, a level each.
+    /// Frames per second by tracking, one per level.
     pub fps: [f64; 6],
-    /// Speed-ups as printed, a level each.
+    /// Speed-ups as printed, one per level.
     pub speed_ups: [f64; 6],
-    /// What is to be known of its row.
+    /// What has to be known of its row.
     pub note: &'static str,
 }
 
-/// The bunny, the one model of the paper that can be had.
+/// The bunny, the one model of the paper that is available.
 pub const BUNNY: PaperModel = PaperModel {
     name: "Bunny",
     faces: 69_451,
@@ -30,7 +30,7 @@ pub const BUNNY: PaperModel = PaperModel {
     note: "",
 };
 
-/// The models that cannot be had.
+/// The models that are not available.
 pub const OTHERS: [PaperModel; 2] = [
     PaperModel {
         name: "UFO",
@@ -50,7 +50,7 @@ pub const OTHERS: [PaperModel; 2] = [
     },
 ];
 
-/// The paper's model that a mesh is: the bunny, known by its number of faces alone. Numbers of vertices differ between
+/// The paper's model that a mesh is: the bunny, recognised by its number of faces. Numbers of vertices differ between
 /// copies of the bunny, since some hold vertices that no face uses; names can be anything.
 pub fn model_of(faces: usize) -> Option<&'static PaperModel> {
     (faces == BUNNY.faces).then_some(&BUNNY)
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn the_bunny_is_known_by_its_faces() {
+    fn the_bunny_is_recognised_by_its_faces() {
         assert_eq!(model_of(69_451).map(|model| model.name), Some("Bunny"));
         assert_eq!(model_of(69_666), None);
         assert_eq!(model_of(19_608), None, "no other model is known by a count that any mesh may have");

@@ -1,163 +1,271 @@
-//! The figures of the paper's table with ours, one row a figure.
+//! The table of the paper with ours, one per mesh; below it the rows of models that are not available.
 
-use super::measure::{MeshResult, Reproduction, VariantResult};
+use super::circles::{CIRCLE, STEP_DEG};
+use super::counted::{Counted, flight_frames};
+use super::measure::{MeshResult, VariantResult, frames};
 use super::printed::{BUNNY, LEVELS_RAD, OTHERS, PaperModel, model_of};
-use crate::Figure;
+use super::variants::{Asked, Extractor, Variant};
+use crate::chart::Chart;
+use crate::chart::trade::{self, Axes, Series, Shape};
+use crate::paper::Measured;
+use crate::table::{Cell, Column, Comparable, Mark, Range, Row, Table};
+use silhouette_compare::Profile;
+use silhouette_compare::report::COLORS;
+use silhouette_tracking::TestedEdges;
 
 /// The section of the paper that holds the table.
 const TABLE: &str = "Performance";
 
-const COUNTED: &str = "speed-up, counted";
-const WALL: &str = "speed-up, wall time";
+const COUNTED: Column = Column {
+    title: "counted",
+    metric: "speed-up, counted",
+    unit: "×",
+    digits: 2,
+    meaning: "faces of the mesh over faces evaluated in a frame, over twenty circles; the same on every machine; \
+              extractors of today may count a face twice",
+};
+const COUNTED_HERE: Column = Column {
+    title: "counted here",
+    metric: "speed-up, counted, on the measured circle",
+    unit: "×",
+    digits: 2,
+    meaning: "the same on the circle of all columns to the right",
+};
+const WALL: Column = Column {
+    title: "wall",
+    metric: "speed-up, wall time",
+    unit: "×",
+    digits: 2,
+    meaning: "median frame time of Hall's brute force over this one's, in the same run",
+};
+const RATE: Column = Column {
+    title: "rate",
+    metric: "frame rate",
+    unit: "frames/s",
+    digits: 2,
+    meaning: "frames per second, from the median time; nothing is drawn",
+};
+const TIME: Column =
+    Column { title: "time", metric: "frame time", unit: "µs", digits: 1, meaning: "median time of a frame" };
+const EDGES: Column = Column {
+    title: "edges",
+    metric: "edges missed",
+    unit: "%",
+    digits: 2,
+    meaning: "silhouette edges that were not found",
+};
+const LOOPS: Column = Column {
+    title: "loops",
+    metric: "loops missed",
+    unit: "%",
+    digits: 2,
+    meaning: "silhouette loops of which no edge was found",
+};
+const LENGTH: Column = Column {
+    title: "length",
+    metric: "length missed",
+    unit: "%",
+    digits: 2,
+    meaning: "length in space that was not found, hidden parts included",
+};
+const VISIBLE: Column = Column {
+    title: "visible",
+    metric: "visible length missed",
+    unit: "%",
+    digits: 2,
+    meaning: "visible length in the picture that was not found",
+};
 
-/// Every figure: the paper's with ours, ours that the paper lacks, and the paper's that cannot be had.
-pub fn figures(reproduction: &Reproduction) -> Vec<Figure> {
-    let mut figures = Vec::new();
-    for mesh in &reproduction.meshes {
-        let model = model_of(mesh.faces);
-        for result in &mesh.variants {
-            figures.extend(of_variant(reproduction, mesh, result, model));
-        }
-    }
-    if !reproduction.meshes.iter().any(|mesh| mesh.faces == BUNNY.faces) {
-        figures.extend(printed_only(&BUNNY, "not measured: pass the bunny's file, which has 69451 faces"));
-    }
-    for model in &OTHERS {
-        figures.extend(printed_only(model, "not measured: the model cannot be had"));
-    }
-    figures
+/// The machine that the paper's times were taken on.
+const PAPER_MACHINE: &str = "a Pentium III of 650 MHz";
+
+/// What the ranges are over.
+const CIRCLES: &str = "twenty circles";
+
+const SERIES: [Series; 9] = [
+    series("brute force (Hall; in fours)", COLORS[6], Shape::Plus),
+    Series { is_joined: true, ..series("tracking by level N", COLORS[0], Shape::Circle) },
+    series("tracking, single edges", COLORS[1], Shape::Square),
+    series("tracking, exact", COLORS[2], Shape::Diamond),
+    series("tracking, 1 % budget", COLORS[3], Shape::Up),
+    Series { is_hollow: true, ..series("brute-force-simd, edges", COLORS[5], Shape::Down) },
+    series("brute-force-simd, loops", COLORS[5], Shape::Down),
+    Series { is_hollow: true, ..series("cluster-cones, edges", COLORS[4], Shape::Hexagon) },
+    series("cluster-cones, loops", COLORS[4], Shape::Hexagon),
+];
+
+const fn series(label: &'static str, color: &'static str, shape: Shape) -> Series {
+    Series { label, color, shape, is_hollow: false, is_joined: false }
 }
 
-fn figure(row: String, metric: &str, unit: &str) -> Figure {
-    Figure {
-        method: "tracking".to_owned(),
-        table: TABLE.to_owned(),
-        row,
-        metric: metric.to_owned(),
-        unit: unit.to_owned(),
-        paper: None,
-        ours: None,
-        comparable: true,
-        note: String::new(),
-    }
-}
-
-/// A number that can be stored; what is not finite was not measured.
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
-}
-
-fn of_variant(
-    reproduction: &Reproduction,
-    mesh: &MeshResult,
-    result: &VariantResult,
-    model: Option<&PaperModel>,
-) -> Vec<Figure> {
-    let named = model.map_or_else(|| mesh.name.clone(), |model| model.name.to_owned());
-    let row = format!("{named}, {}", result.variant.label());
-    let printed = model.zip(result.variant.paper_column());
-    let speed_up = printed.map(|(model, column)| model.speed_ups[column]);
-    let fallbacks = result.counted.fallbacks;
-    let mut counted_note = if fallbacks > 0 { format!("; {fallbacks} frames by brute force") } else { String::new() };
-    if let Some([least, greatest]) = result.counted_range {
-        let range =
-            format!("; {least:.2} to {greatest:.2} over twenty circles, since the paper does not tell its path");
-        counted_note.push_str(&range);
-    }
-    let percent = |metric: &str, percent: f64| Figure { ours: Some(percent), ..figure(row.clone(), metric, "%") };
-    vec![
-        Figure {
-            paper: speed_up,
-            ours: result.counted.speed_up(),
-            note: format!("faces of the mesh over faces evaluated a frame{counted_note}"),
-            ..figure(row.clone(), COUNTED, "")
-        },
-        Figure {
-            paper: speed_up,
-            ours: finite(result.speed_up),
-            note: format!("over brute force in the same run, one thread; another machine: {}", reproduction.machine),
-            ..figure(row.clone(), WALL, "")
-        },
-        Figure {
-            paper: printed.map(|(model, column)| model.fps[column]),
-            ours: finite(1e6 / result.median_us),
-            comparable: false,
-            note: format!("the paper's frames are drawn too; another machine: {}", reproduction.machine),
-            ..figure(row.clone(), "frame rate", "frames/s")
-        },
-        percent("edges missed", result.missed.edges.percent()),
-        percent("loops missed", result.missed.loops.percent()),
-        percent("length missed", result.missed.length.percent()),
-        percent("visible length missed", result.missed_visible),
-    ]
-}
-
-/// The paper's speed-ups without ours.
-fn printed_only(model: &PaperModel, why: &str) -> Vec<Figure> {
-    let note = if model.note.is_empty() { why.to_owned() } else { format!("{why}; {}", model.note) };
-    let figure = |(level_rad, speed_up): (f32, f64)| Figure {
-        paper: Some(speed_up),
-        note: note.clone(),
-        ..figure(format!("{}, tracking, N = {level_rad}", model.name), WALL, "")
+/// Which of [`SERIES`] a variant belongs to, and what stands beside its mark.
+fn mark(variant: Variant) -> Mark {
+    let series = match variant {
+        Variant::BruteForce | Variant::BruteForceInFours => 0,
+        Variant::Level(_, TestedEdges::All) => 1,
+        Variant::Level(_, TestedEdges::Single) => 2,
+        Variant::Exact => 3,
+        Variant::Budget => 4,
+        Variant::Today(Extractor::BruteForceSimd, Asked::Edges) => 5,
+        Variant::Today(Extractor::BruteForceSimd, Asked::Loops) => 6,
+        Variant::Today(Extractor::ClusterCones, Asked::Edges) => 7,
+        Variant::Today(Extractor::ClusterCones, Asked::Loops) => 8,
     };
-    LEVELS_RAD.into_iter().zip(model.speed_ups).map(figure).collect()
+    let label = match variant {
+        Variant::Level(Some(level_rad), _) => level_rad.to_string(),
+        Variant::Level(None, _) => "none".to_owned(),
+        _ => String::new(),
+    };
+    Mark { series, label }
+}
+
+/// What was measured, as tables and a chart.
+pub fn measured(profile: Profile, meshes: &[MeshResult]) -> Measured {
+    let flown: Vec<Table> = meshes.iter().map(of_mesh).collect();
+    let axes = Axes {
+        x: [LENGTH.metric, "length of silhouette missed in %"],
+        y: [TIME.metric, "median time of a frame in µs"],
+    };
+    let svg = trade::draw(&flown, axes, &SERIES);
+    let chart = Chart { file_name: "trade.svg", title: "Time against what is missed", svg };
+    let has_bunny = meshes.iter().any(|mesh| mesh.faces == BUNNY.faces);
+    let no_bunny = "The paper's bunny is not among these meshes, so that only its printed values stand here; name the file of \
+                    the Stanford bunny at full resolution, which is recognised by its 69451 faces";
+    Measured {
+        setting: format!(
+            "{} frames of {STEP_DEG}° on the circle {} radii from the middle of the mesh and level with it, one thread; \
+             counts of {} frames on each of {CIRCLES}",
+            frames(profile),
+            CIRCLE.distance_radii,
+            flight_frames(profile)
+        ),
+        notes: if has_bunny { Vec::new() } else { vec![no_bunny.to_owned()] },
+        tables: flown.into_iter().chain([printed_only(has_bunny)]).collect(),
+        charts: vec![chart],
+    }
+}
+
+fn of_mesh(mesh: &MeshResult) -> Table {
+    let MeshResult { name, faces, concave_edges, boundary_edges, half_edges, loops, variants } = mesh;
+    let model = model_of(*faces);
+    let by_model =
+        model.map_or_else(String::new, |model| format!("by its number of faces, the paper's {}; ", model.name));
+    let baseline_us = variants.first().map_or(f64::NAN, |brute_force| brute_force.median_us);
+    Table {
+        name: TABLE,
+        subject: name.clone(),
+        about: format!(
+            "{by_model}{faces} faces, {concave_edges} concave and {boundary_edges} boundary edges; a frame's silhouette has \
+             {half_edges:.0} edges in {loops:.1} loops"
+        ),
+        columns: vec![COUNTED, COUNTED_HERE, WALL, RATE, TIME, EDGES, LOOPS, LENGTH, VISIBLE],
+        remark_title: "",
+        rows: variants.iter().map(|result| of_variant(result, model, baseline_us)).collect(),
+    }
+}
+
+fn of_variant(result: &VariantResult, model: Option<&PaperModel>, baseline_us: f64) -> Row {
+    let VariantResult { variant, counted, median_us, missed, missed_visible } = result;
+    let printed = model.zip(variant.paper_column());
+    let speed_up = printed.map(|(model, column)| model.speed_ups[column]);
+    let fps = printed.map(|(model, column)| model.fps[column]);
+    let range = Range::of(counted.iter().map(Counted::speed_up), CIRCLES);
+    let here = counted.iter().find(|counted| counted.circle == CIRCLE).map_or(f64::NAN, Counted::speed_up);
+    let fallbacks: u32 = counted.iter().map(|counted| counted.fallbacks).sum();
+    let fell_back = if fallbacks > 0 { format!("{fallbacks} frames were found by brute force") } else { String::new() };
+    let other_machine = |what: &str| Comparable::No(format!("{what} on {PAPER_MACHINE}"));
+    let cells = vec![
+        Cell::range(range).beside(speed_up, Comparable::Yes).noted(fell_back),
+        Cell::one(here),
+        Cell::one(baseline_us / median_us).beside(speed_up, other_machine("the paper's is a ratio of times")),
+        Cell::one(1e6 / median_us).beside(fps, other_machine("the paper draws its frames,")),
+        Cell::one(*median_us),
+        Cell::one(missed.edges.percent()),
+        Cell::one(missed.loops.percent()),
+        Cell::one(missed.length.percent()),
+        Cell::one(*missed_visible),
+    ];
+    Row { mark: Some(mark(*variant)), ..Row::new(variant.label(), cells) }
+}
+
+/// What the paper prints for models that are not available, the bunny among them where its file was not named.
+fn printed_only(has_bunny: bool) -> Table {
+    let missing = (!has_bunny).then_some((&BUNNY, "not measured: name the bunny's file, which has 69451 faces"));
+    let others = OTHERS.iter().map(|model| (model, "not measured: the model is not available"));
+    let rows = missing.into_iter().chain(others).flat_map(|(model, why)| {
+        let note = [why, model.note].join(if model.note.is_empty() { "" } else { "; " });
+        LEVELS_RAD.into_iter().zip(model.speed_ups).map(move |(level_rad, speed_up)| {
+            let printed = Cell::default().beside(Some(speed_up), Comparable::Yes).noted(note.clone());
+            Row::new(format!("{}, tracking, N = {level_rad}", model.name), vec![printed])
+        })
+    });
+    Table { name: TABLE, columns: vec![COUNTED], rows: rows.collect(), ..Table::default() }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::measure::tests::reproduction;
+    use super::super::measure::tests::flown;
     use super::*;
+    use crate::figure::{Figure, figures};
 
-    /// The small reproduction with its first mesh passed off as the bunny.
-    fn with_a_bunny() -> Reproduction {
-        let mut flown = reproduction().clone();
-        flown.meshes[0].faces = BUNNY.faces;
-        flown
+    fn figures_of(meshes: &[MeshResult]) -> Vec<Figure> {
+        figures("tracking", &measured(Profile::Quick, meshes).tables)
+    }
+
+    /// The flown meshes with the first passed off as the bunny.
+    fn with_a_bunny() -> Vec<MeshResult> {
+        let mut meshes = flown().to_vec();
+        meshes[0].faces = BUNNY.faces;
+        meshes
     }
 
     #[test]
     fn the_paper_stands_beside_the_bunny_and_beside_no_other_mesh() {
-        let figures = figures(&with_a_bunny());
-        let printed = |metric: &str, with_ours: bool| {
-            let of_metric = figures.iter().filter(move |figure| figure.metric == metric);
-            of_metric
-                .filter(|figure| figure.paper.is_some() && figure.ours.is_some() == with_ours)
-                .map(|figure| figure.paper.unwrap())
-                .collect::<Vec<_>>()
+        let figures = figures_of(&with_a_bunny());
+        let printed = |column: Column, with_ours: bool| {
+            let of_metric = figures.iter().filter(move |figure| figure.metric == column.metric);
+            of_metric.filter(|figure| figure.ours.is_some() == with_ours).filter_map(|figure| figure.paper).collect()
         };
-        for metric in [COUNTED, WALL] {
-            assert_eq!(printed(metric, true), BUNNY.speed_ups, "{metric}");
-        }
-        assert_eq!(printed("frame rate", true), BUNNY.fps);
-        assert_eq!(printed(WALL, false), [OTHERS[0].speed_ups, OTHERS[1].speed_ups].concat());
+        let printed: [Vec<f64>; 4] =
+            [printed(COUNTED, true), printed(WALL, true), printed(RATE, true), printed(COUNTED, false)];
+        assert_eq!(printed[..2], [BUNNY.speed_ups; 2]);
+        assert_eq!(
+            (printed[2].as_slice(), &printed[3]),
+            (&BUNNY.fps[..], &OTHERS.map(|model| model.speed_ups).concat())
+        );
         assert!(figures.iter().filter(|figure| figure.row.starts_with("gear")).all(|figure| figure.paper.is_none()));
-        let level = figures.iter().find(|figure| figure.row == "Bunny, tracking, N = 0.1").unwrap();
-        assert_eq!((level.paper, level.comparable), (Some(2.60), true));
-        assert_eq!(level.ratio(), Some(level.ours.unwrap() / 2.60));
     }
 
     #[test]
-    fn without_a_bunny_its_row_says_how_to_have_it() {
-        let figures = figures(reproduction());
+    fn counts_are_comparable_and_times_are_not() {
+        for figure in figures_of(&with_a_bunny()) {
+            let both = figure.paper.is_some() && figure.ours.is_some();
+            assert_eq!(figure.comparable, both && figure.metric == COUNTED.metric, "{figure:?}");
+            assert_eq!(figure.note.contains("Pentium III"), both && !figure.comparable, "{figure:?}");
+        }
+    }
+
+    #[test]
+    fn without_a_bunny_its_rows_say_how_to_get_them() {
+        let figures = figures_of(flown());
         let missing: Vec<_> = figures.iter().filter(|figure| figure.row.starts_with("Bunny")).collect();
         assert_eq!(missing.len(), 6);
         assert!(missing.iter().all(|figure| figure.ours.is_none() && figure.note.contains("69451 faces")));
+        assert!(measured(Profile::Quick, flown()).notes[0].contains("69451"));
+        assert!(measured(Profile::Quick, &with_a_bunny()).notes.is_empty());
     }
 
     #[test]
-    fn every_share_missed_is_there_for_every_variant() {
-        let figures = figures(reproduction());
-        for metric in ["edges missed", "loops missed", "length missed", "visible length missed"] {
-            let missed = figures.iter().filter(|figure| figure.metric == metric);
-            assert!(missed.clone().all(|figure| figure.ours.is_some_and(|percent| (0.0..=100.0).contains(&percent))));
-            assert_eq!(missed.count(), 2 * reproduction().meshes[0].variants.len(), "{metric}");
+    fn every_variant_has_every_value_and_a_mark_of_a_series_that_looks_like_no_other() {
+        let measured = measured(Profile::Quick, flown());
+        for row in &measured.tables[0].rows {
+            assert!(row.cells.iter().all(|cell| cell.ours.is_some()), "{}", row.label);
+            assert!(SERIES.get(row.mark.as_ref().unwrap().series).is_some());
         }
-    }
-
-    #[test]
-    fn times_are_comparable_as_ratios_only() {
-        for figure in figures(&with_a_bunny()) {
-            assert_eq!(figure.comparable, figure.metric != "frame rate", "{figure:?}");
+        assert_eq!(measured.tables[0].rows.len(), Variant::all().len());
+        for (index, one) in SERIES.iter().enumerate() {
+            let looks_alike = |other: &Series| other.shape == one.shape && other.is_hollow == one.is_hollow;
+            assert!(!SERIES[..index].iter().any(looks_alike), "{}", one.label);
         }
     }
 }

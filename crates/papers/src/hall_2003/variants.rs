@@ -1,11 +1,13 @@
 //! What flies the path: the paper's methods, what was added to them, and what they compete with today.
 
 use super::printed::LEVELS_RAD;
-use silhouette_compare::registry::{self, EdgeMethod, Prepared};
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
-use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint};
+use silhouette_core::{
+    ExtractsLoops, Method, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint,
+};
+use silhouette_extraction::{BruteForceSimd, ClusterCones};
 use silhouette_tracking::{
-    Accuracy, BruteForce, Concavity, ConnectivityTable, ErrorBudget, TestedEdges, TrackedEdges, Tracker,
+    Accuracy, BruteForce, Concavity, ConnectivityTable, ErrorBudget, TestedEdges, TrackedEdges, Tracker, Tracking,
     TrackingOptions,
 };
 use std::sync::Arc;
@@ -13,13 +15,49 @@ use std::sync::Arc;
 /// Share of the silhouette's length that the variant with a budget may miss.
 pub const BUDGET: f32 = 0.01;
 
-/// What a method of today is asked for.
+/// What an extractor of today is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Asked {
     /// Sorted edges.
     Edges,
     /// Closed, ordered loops, as tracking yields them.
     Loops,
+}
+
+/// An extractor of today.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extractor {
+    /// All faces, many at a time.
+    BruteForceSimd,
+    /// Whole clusters of faces at a time.
+    ClusterCones,
+}
+
+impl Extractor {
+    /// Name of the method.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BruteForceSimd => BruteForceSimd::INFO.name,
+            Self::ClusterCones => ClusterCones::INFO.name,
+        }
+    }
+
+    fn prepare(
+        self,
+        mesh: &Arc<PreparedMesh>,
+        progress: &dyn Progress,
+    ) -> Result<Box<dyn ExtractsLoops>, PrepareError> {
+        fn boxed<M: Method + ExtractsLoops>(
+            mesh: &Arc<PreparedMesh>,
+            progress: &dyn Progress,
+        ) -> Result<Box<dyn ExtractsLoops>, PrepareError> {
+            Ok(Box::new(M::prepare(mesh, &OptionValues::defaults(M::INFO.options), progress)?))
+        }
+        match self {
+            Self::BruteForceSimd => boxed::<BruteForceSimd>(mesh, progress),
+            Self::ClusterCones => boxed::<ClusterCones>(mesh, progress),
+        }
+    }
 }
 
 /// One way to find the silhouette of each frame.
@@ -35,8 +73,8 @@ pub enum Variant {
     Exact,
     /// Tracking that sets its level so as to miss [`BUDGET`].
     Budget,
-    /// A method of the registry.
-    Today(&'static str, Asked),
+    /// An extractor of today.
+    Today(Extractor, Asked),
 }
 
 impl Variant {
@@ -45,9 +83,9 @@ impl Variant {
         let every_edge = |level| Self::Level(level, TestedEdges::All);
         let levels = LEVELS_RAD.map(|level_rad| every_edge(Some(level_rad)));
         let single = [0.0, 0.2].map(|level_rad| Self::Level(Some(level_rad), TestedEdges::Single));
-        let today = ["brute-force-simd", "cluster-cones"];
-        let today =
-            today.into_iter().flat_map(|name| [Asked::Edges, Asked::Loops].map(|asked| Self::Today(name, asked)));
+        let today = [Extractor::BruteForceSimd, Extractor::ClusterCones]
+            .into_iter()
+            .flat_map(|extractor| [Asked::Edges, Asked::Loops].map(|asked| Self::Today(extractor, asked)));
         [Self::BruteForce, Self::BruteForceInFours]
             .into_iter()
             .chain(levels)
@@ -69,12 +107,12 @@ impl Variant {
             Self::Level(None, TestedEdges::Single) => "single edges, no concave edges".to_owned(),
             Self::Exact => "tracking, exact".to_owned(),
             Self::Budget => format!("tracking, {} % budget", 100.0 * BUDGET),
-            Self::Today(name, Asked::Edges) => format!("{name}, edges"),
-            Self::Today(name, Asked::Loops) => format!("{name}, loops"),
+            Self::Today(extractor, Asked::Edges) => format!("{}, edges", extractor.name()),
+            Self::Today(extractor, Asked::Loops) => format!("{}, loops", extractor.name()),
         }
     }
 
-    /// Column of the paper's table that it stands in.
+    /// Column of the paper's table that holds it.
     pub fn paper_column(self) -> Option<usize> {
         match self {
             Self::Level(Some(level_rad), TestedEdges::All) => {
@@ -83,131 +121,125 @@ impl Variant {
             _ => None,
         }
     }
+}
 
-    /// Prepares it.
-    ///
-    /// # Errors
-    /// [`PrepareError`]: cancelled, or a mesh that cannot be tracked.
-    pub fn prepare(self, mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Flier, PrepareError> {
-        let options = match self {
-            Self::Today(name, asked) => return prepare_of_today(name, asked, mesh, progress),
-            Self::BruteForce | Self::BruteForceInFours => None,
-            Self::Level(level, tested_edges) => {
+/// A prepared variant.
+pub struct Flier {
+    finder: Finder,
+    /// The state that [`restore`](Self::restore) returns to.
+    kept: Option<Box<Tracker>>,
+}
+
+enum Finder {
+    BruteForce(Box<BruteForce>),
+    Tracker(Box<Tracker>),
+    Edges { method: Box<dyn ExtractsLoops>, stats: ExtractionStats, found: SilhouetteEdges },
+    Loops { method: Box<dyn ExtractsLoops>, stats: ExtractionStats, found: SilhouetteLoops },
+}
+
+impl Finder {
+    fn new(variant: Variant, mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Self, PrepareError> {
+        let options = match variant {
+            Variant::Today(extractor, asked) => {
+                let method = extractor.prepare(mesh, progress)?;
+                let stats = ExtractionStats::default();
+                return Ok(match asked {
+                    Asked::Edges => Self::Edges { method, stats, found: SilhouetteEdges::default() },
+                    Asked::Loops => Self::Loops { method, stats, found: SilhouetteLoops::default() },
+                });
+            }
+            Variant::BruteForce | Variant::BruteForceInFours => None,
+            Variant::Level(level, tested_edges) => {
                 let concavity = level.map_or(Concavity::Ignored, Concavity::Above);
                 Some(TrackingOptions { concavity, tested_edges, ..TrackingOptions::default() })
             }
-            Self::Exact => Some(TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() }),
-            Self::Budget => {
+            Variant::Exact => Some(TrackingOptions { accuracy: Accuracy::Exact, ..TrackingOptions::default() }),
+            Variant::Budget => {
                 let accuracy = Accuracy::Budget(ErrorBudget { missed_share: BUDGET, audit_share: 0.1 });
                 Some(TrackingOptions { accuracy, ..TrackingOptions::default() })
             }
         };
-        let table = mesh.artefact::<ConnectivityTable>("reproduce tracking", progress)?;
-        let edges = mesh.artefact::<TrackedEdges>("reproduce tracking", progress)?;
+        let table = mesh.artefact::<ConnectivityTable>(Tracking::INFO.name, progress)?;
+        let edges = mesh.artefact::<TrackedEdges>(Tracking::INFO.name, progress)?;
         let triangles = Arc::clone(mesh.mesh());
         let Some(options) = options else {
             let brute_force = BruteForce::new(triangles, table, edges);
-            let in_fours = self == Self::BruteForceInFours;
-            return Ok(Flier::BruteForce(Box::new(if in_fours { brute_force.in_fours() } else { brute_force })));
+            let in_fours = variant == Variant::BruteForceInFours;
+            return Ok(Self::BruteForce(Box::new(if in_fours { brute_force.in_fours() } else { brute_force })));
         };
         let tracker = Tracker::new(triangles, table, edges, options);
-        Ok(Flier::Tracker(Box::new(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?)))
+        Ok(Self::Tracker(Box::new(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?)))
     }
 }
 
-fn prepare_of_today(
-    name: &'static str,
-    asked: Asked,
-    mesh: &Arc<PreparedMesh>,
-    progress: &dyn Progress,
-) -> Result<Flier, PrepareError> {
-    let entry = registry::find(name).expect("the variants name methods of the registry");
-    let prepared = entry.prepare(mesh, &OptionValues::defaults(entry.info.options), progress)?;
-    let Prepared::Edges(method) = prepared else { unreachable!("the variants name methods that extract edges") };
-    let stats = ExtractionStats::default();
-    Ok(match asked {
-        Asked::Edges => Flier::Edges { method, stats, found: SilhouetteEdges::default() },
-        Asked::Loops => Flier::Loops { method, stats, found: SilhouetteLoops::default() },
-    })
-}
-
-/// A prepared variant.
-pub enum Flier {
-    /// Hall's baseline.
-    BruteForce(Box<BruteForce>),
-    /// Hall's tracking and what was added to it.
-    Tracker(Box<Tracker>),
-    /// A method of today, asked for edges.
-    Edges {
-        /// The method.
-        method: Box<dyn EdgeMethod>,
-        /// What the last frame took.
-        stats: ExtractionStats,
-        /// What the last frame found.
-        found: SilhouetteEdges,
-    },
-    /// A method of today, asked for loops.
-    Loops {
-        /// The method.
-        method: Box<dyn EdgeMethod>,
-        /// What the last frame took.
-        stats: ExtractionStats,
-        /// What the last frame found.
-        found: SilhouetteLoops,
-    },
-}
-
 impl Flier {
+    /// Prepares a variant.
+    ///
+    /// # Errors
+    /// [`PrepareError`]: cancelled, or a mesh that cannot be tracked.
+    pub fn new(variant: Variant, mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Self, PrepareError> {
+        Ok(Self { finder: Finder::new(variant, mesh, progress)?, kept: None })
+    }
+
     /// Finds the silhouette of a frame.
     pub fn frame(&mut self, view: &Viewpoint) {
-        match self {
-            Self::BruteForce(brute_force) => drop(brute_force.update(view)),
-            Self::Tracker(tracker) => drop(tracker.update(view)),
-            Self::Edges { method, stats, found } => *stats = method.extract_edges(view, found),
-            Self::Loops { method, stats, found } => {
-                let Some(loops) = method.as_loops() else { unreachable!("asked for loops where there are some") };
-                *stats = loops.extract_loops(view, found);
-            }
+        match &mut self.finder {
+            Finder::BruteForce(brute_force) => drop(brute_force.update(view)),
+            Finder::Tracker(tracker) => drop(tracker.update(view)),
+            Finder::Edges { method, stats, found } => *stats = method.extract_edges(view, found),
+            Finder::Loops { method, stats, found } => *stats = method.extract_loops(view, found),
         }
     }
 
     /// Faces that the last frame evaluated; distinct ones for Hall's methods.
     pub fn faces_evaluated(&self) -> u64 {
-        match self {
-            Self::BruteForce(brute_force) => brute_force.stats().faces_evaluated,
-            Self::Tracker(tracker) => tracker.stats().faces_evaluated,
-            Self::Edges { stats, .. } | Self::Loops { stats, .. } => stats.faces_tested,
+        match &self.finder {
+            Finder::BruteForce(brute_force) => brute_force.stats().faces_evaluated,
+            Finder::Tracker(tracker) => tracker.stats().faces_evaluated,
+            Finder::Edges { stats, .. } | Finder::Loops { stats, .. } => stats.faces_tested,
         }
+    }
+
+    /// Whether frames depend on those before them.
+    pub fn has_a_past(&self) -> bool {
+        matches!(self.finder, Finder::Tracker(_))
     }
 
     /// Whether a tracker found the last frame by brute force.
     pub fn fell_back(&self) -> bool {
-        matches!(self, Self::Tracker(tracker) if tracker.stats().brute_force.is_some())
+        matches!(&self.finder, Finder::Tracker(tracker) if tracker.stats().brute_force.is_some())
+    }
+
+    /// The loops that the last frame found, for variants that find loops.
+    pub fn loops(&self) -> Option<&SilhouetteLoops> {
+        match &self.finder {
+            Finder::BruteForce(brute_force) => Some(brute_force.loops()),
+            Finder::Tracker(tracker) => Some(tracker.loops()),
+            Finder::Loops { found, .. } => Some(found),
+            Finder::Edges { .. } => None,
+        }
     }
 
     /// The edges that the last frame found.
     pub fn edges(&self, topology: &Topology, out: &mut SilhouetteEdges) {
-        let loops = match self {
-            Self::Edges { found, .. } => return out.clone_from(found),
-            Self::BruteForce(brute_force) => brute_force.loops(),
-            Self::Tracker(tracker) => tracker.loops(),
-            Self::Loops { found, .. } => found,
-        };
-        out.refill(loops.half_edges().iter().map(|&half_edge| topology.edge_of(half_edge)));
-    }
-
-    /// What the next frame depends on, kept to fly the same frames again.
-    pub fn state(&self) -> Option<Box<Tracker>> {
-        match self {
-            Self::Tracker(tracker) => Some(tracker.clone()),
-            _ => None,
+        if let Finder::Edges { found, .. } = &self.finder {
+            out.clone_from(found);
+        } else if let Some(loops) = self.loops() {
+            out.refill(loops.half_edges().iter().map(|&half_edge| topology.edge_of(half_edge)));
         }
     }
 
-    /// Goes back to a state.
-    pub fn restore(&mut self, state: &Option<Box<Tracker>>) {
-        if let (Self::Tracker(tracker), Some(state)) = (self, state) {
-            tracker.clone_from(state);
+    /// Keeps what the next frame depends on, to fly the same frames again.
+    pub fn keep(&mut self) {
+        if let Finder::Tracker(tracker) = &self.finder {
+            self.kept = Some(tracker.clone());
+        }
+    }
+
+    /// Returns to the state that was kept.
+    pub fn restore(&mut self) {
+        if let (Finder::Tracker(tracker), Some(kept)) = (&mut self.finder, &self.kept) {
+            tracker.clone_from(kept);
         }
     }
 }

@@ -1,25 +1,12 @@
-//! What a frame misses of the silhouette that can be seen: length in pixels, hidden parts left out.
+//! What a frame misses of the visible silhouette: length in pixels, hidden parts omitted.
 
 use super::circles::{Frame, Path};
 use super::missed::Share;
-use silhouette_compare::record::Profile;
-use silhouette_compare::truth::TrueLines;
-use silhouette_compare::truth::{TruthError, TruthFinder};
-use silhouette_core::view::ViewError;
+use crate::error::Cause;
+use silhouette_compare::Profile;
+use silhouette_compare::truth::{TrueLines, TruthFinder};
 use silhouette_core::{PreparedMesh, Progress, SilhouetteEdges};
 use std::sync::Arc;
-
-/// Why visibility is not known.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum VisibleError {
-    /// A view cannot be set up.
-    #[error(transparent)]
-    View(#[from] ViewError),
-    /// The view is too crowded to be decided, or the work was stopped.
-    #[error(transparent)]
-    Truth(#[from] TruthError),
-}
 
 /// The visible lines of some frames: the [truth](silhouette_compare::truth).
 #[derive(Debug)]
@@ -27,7 +14,7 @@ pub struct VisibleFrames {
     lines: Vec<TrueLines>,
 }
 
-/// Which of `measured` frames are asked for their visible lines: some, evenly spread.
+/// Which of `measured` frames have their visible lines found: some, evenly spread.
 pub fn pictured_frames(profile: Profile, measured: usize) -> Vec<usize> {
     let views = match profile {
         Profile::Quick => 4,
@@ -40,14 +27,14 @@ impl VisibleFrames {
     /// Finds the visible lines of these frames.
     ///
     /// # Errors
-    /// [`VisibleError`].
+    /// [`Cause`]: no camera, a view too crowded to be decided, or cancelled.
     pub fn find(
         mesh: &Arc<PreparedMesh>,
         path: &Path,
         frames: &[Frame],
         size: [u32; 2],
         progress: &dyn Progress,
-    ) -> Result<Self, VisibleError> {
+    ) -> Result<Self, Cause> {
         let mut finder = TruthFinder::new(mesh, progress)?;
         let mut lines = Vec::with_capacity(frames.len());
         for frame in frames {
@@ -56,7 +43,7 @@ impl VisibleFrames {
         Ok(Self { lines })
     }
 
-    /// Share of the visible length that was missed by who found these edges, frame by frame.
+    /// Share of the visible length that these edges, one set per frame, miss.
     pub fn missed(&self, found: &[SilhouetteEdges]) -> Share {
         let mut share = Share::default();
         for (lines, found) in self.lines.iter().zip(found) {
@@ -83,7 +70,7 @@ mod tests {
         }
     }
 
-    /// Two edges, of which one is twice as long in the picture as the other.
+    /// Two edges, one of them twice as long in the picture as the other.
     #[test]
     fn what_is_missed_is_weighed_by_its_visible_length() {
         let sample =

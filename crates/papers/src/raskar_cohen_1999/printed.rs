@@ -1,4 +1,4 @@
-//! What the paper prints in section 5: frames a second on machines that are gone.
+//! What the paper prints in section 5: frames per second on an SGI InfiniteReality.
 
 /// One row of the paper: a model drawn by one variant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -7,13 +7,13 @@ pub struct PaperRow {
     pub model: &'static str,
     /// Its triangles, as printed.
     pub triangles: u32,
-    /// A built-in mesh of that size, which stands in for it.
+    /// The built-in mesh of that size that stands in for it.
     pub stand_in: &'static str,
     /// The variant's label in [`variants`](super::variants).
     pub variant: &'static str,
-    /// Frames a second with silhouettes.
+    /// Frames per second with silhouettes.
     pub fps: f64,
-    /// Frames a second without.
+    /// Frames per second without.
     pub plain_fps: f64,
 }
 
@@ -53,8 +53,8 @@ const fn venus(variant: &'static str, fps: f64) -> PaperRow {
 
 #[cfg(test)]
 mod tests {
+    use super::super::variants::VARIANTS;
     use super::*;
-    use crate::raskar_cohen_1999::variants::VARIANTS;
 
     #[test]
     fn rates_kept_are_shares_and_variants_exist() {

@@ -1,9 +1,10 @@
 //! Triangles without shared vertices whose winding says nothing, and the ink that they get by mistake.
 
-use super::lost::{self, LostError};
-use super::variants::{UNORIENTED, UNORIENTED_LIKE, Variant};
-use silhouette_compare::registry;
-use silhouette_core::view::Camera;
+use super::lost::added;
+use super::measure::framed;
+use super::variants::{UNORIENTED, Unoriented, Variant};
+use crate::error::Cause;
+use silhouette_core::shapes::by_name;
 use silhouette_core::{PreparedMesh, Progress, TriangleMesh};
 use silhouette_render::Gpu;
 use std::sync::Arc;
@@ -16,44 +17,42 @@ pub const MILLION: &str = "blob:1000000";
 pub struct SoupResult {
     /// The variant, one of [`UNORIENTED`].
     pub variant: Variant,
-    /// Triangles of the soup.
+    /// Number of triangles of the soup.
     pub triangles: usize,
     /// Pixels with ink.
     pub ink_px: usize,
     /// Pixels with ink in the picture of the oriented mesh by the variant's oriented counterpart.
     pub expected_px: usize,
-    /// Pixels with ink in the first picture alone.
+    /// Pixels with ink in the first picture only.
     pub false_px: usize,
-    /// Pixels with ink in the second alone.
+    /// Pixels with ink in the second only.
     pub lacking_px: usize,
 }
 
-/// Draws a mesh by the oriented variants, and its soup by those that need no orientation.
-pub(super) fn measure(
-    gpu: &Gpu,
-    mesh: TriangleMesh,
-    camera: &Camera,
-    progress: &dyn Progress,
-) -> Result<Vec<SoupResult>, LostError> {
-    let entry = registry::find("image-precision")?;
+/// Draws [`MILLION`] by the oriented variants, and its soup by those that need no orientation.
+///
+/// # Errors
+/// [`Cause`]: cancelled, or a device that failed.
+pub fn measure(gpu: &Gpu, size: [u32; 2], progress: &dyn Progress) -> Result<Vec<SoupResult>, Cause> {
+    progress.stage("soup of a million triangles", UNORIENTED.len() as u64);
+    let mesh = by_name(MILLION)?;
+    let camera = framed(&mesh, size)?;
     let soup = Arc::new(PreparedMesh::new(shuffled_soup(&mesh)));
     let mesh = Arc::new(PreparedMesh::new(mesh));
-    let pairs = UNORIENTED.into_iter().zip(&UNORIENTED_LIKE);
-    pairs
-        .map(|(variant, oriented)| {
-            let found = lost::draw(gpu, &soup, entry, &variant, camera, progress)?;
-            let expected = lost::draw(gpu, &mesh, entry, oriented, camera, progress)?;
-            progress.advance(1);
-            Ok(SoupResult {
-                variant,
-                triangles: soup.mesh().face_count(),
-                ink_px: found.ink_pixels().count(),
-                expected_px: expected.ink_pixels().count(),
-                false_px: lost::added(&found, &expected),
-                lacking_px: lost::added(&expected, &found),
-            })
+    let result = |Unoriented { variant, oriented }: Unoriented| {
+        let found = variant.ink(gpu, &soup, &camera, progress)?;
+        let expected = oriented.ink(gpu, &mesh, &camera, progress)?;
+        progress.advance(1);
+        Ok(SoupResult {
+            variant,
+            triangles: soup.mesh().face_count(),
+            ink_px: found.ink_pixels().count(),
+            expected_px: expected.ink_pixels().count(),
+            false_px: added(&found, &expected),
+            lacking_px: added(&expected, &found),
         })
-        .collect()
+    };
+    UNORIENTED.into_iter().map(result).collect()
 }
 
 /// A fixed permutation of 64-bit numbers that looks random (splitmix64's finaliser: Steele, Lea and Flood, OOPSLA 2014).
@@ -71,7 +70,7 @@ fn shuffled_soup(mesh: &TriangleMesh) -> TriangleMesh {
 }
 
 /// The triangles without shared vertices, every other one turned inside out.
-pub(super) fn turned_soup(mesh: &TriangleMesh) -> TriangleMesh {
+pub fn turned_soup(mesh: &TriangleMesh) -> TriangleMesh {
     soup_of(
         mesh,
         mesh.triangles().iter().zip([false, true].into_iter().cycle()).map(|(&triangle, turned)| (triangle, turned)),
@@ -81,7 +80,7 @@ pub(super) fn turned_soup(mesh: &TriangleMesh) -> TriangleMesh {
 fn soup_of(mesh: &TriangleMesh, triangles: impl Iterator<Item = ([u32; 3], bool)>) -> TriangleMesh {
     let turned = triangles.map(|([a, b, c], is_turned)| if is_turned { [a, c, b] } else { [a, b, c] });
     let positions: Vec<_> = turned.flatten().map(|vertex| mesh.positions()[vertex as usize]).collect();
-    // A mesh has fewer than 2^32 corners, by validation, so that a soup of its triangles is valid.
+    // Validation bounds the corners of a mesh by 2^32, so that a soup of its triangles is valid.
     let corners = (0..positions.len() as u32 / 3).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
     TriangleMesh::new(positions, corners).expect("a soup of a valid mesh is valid")
 }
@@ -92,7 +91,7 @@ mod tests {
     use silhouette_core::shapes::Sphere;
     use std::collections::BTreeMap;
 
-    /// How often each triangle occurs, whatever its winding.
+    /// How often each triangle occurs, in either winding.
     fn triangles(mesh: &TriangleMesh) -> BTreeMap<[[u32; 3]; 3], usize> {
         let mut counts = BTreeMap::new();
         for triangle in mesh.triangles() {

@@ -1,12 +1,15 @@
-//! Spheres from many sides: how far the farthest spike of the printed law reaches, and which of some sixty faces a picture
-//! loses, goes with the view.
+//! Icospheres from many sides, drawn, beside what follows from the geometry. Views are many because spikes are few: each
+//! depends on how its edge lies in the view.
 
-use super::derived;
-use super::lost::{self, LostError};
-use super::variants::AS_PRINTED;
-use glam::{DVec3, Vec3};
-use silhouette_compare::drawing::DrawError;
-use silhouette_compare::registry;
+use super::derived::{DISTANCE, outline_radius_px, scaled_width_px};
+use super::fattened;
+use super::lost;
+use super::variants::{AS_PRINTED, SCALE_95, SCALE_99, SCREEN, Variant, style};
+use crate::error::Cause;
+use silhouette_compare::metrics::Ink;
+use silhouette_compare::runner::DEFAULT_PEN_WIDTH_PX;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::shapes::Sphere;
 use silhouette_core::view::{Camera, ViewError};
 use silhouette_core::{PreparedMesh, Progress, Projection};
 use silhouette_render::Gpu;
@@ -15,88 +18,171 @@ use std::sync::Arc;
 /// Number of views.
 pub const VIEWS: u32 = 12;
 
-/// What the views of a sphere show.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SphereViews {
-    /// Ink over the length of the smooth outline in pixels, the mean over all views.
-    pub mean_width_px: f64,
-    /// Distance of the farthest ink outside of the smooth outline in pixels: least and most of all views.
-    pub farthest_px: [f64; 2],
-    /// Faces that pictures lose; `None` for spheres beside which no prediction stands.
-    pub lost: Option<LostOverViews>,
+/// Side of the pictures in pixels.
+const SIZE_PX: u32 = 512;
+/// Vertical field of view in radians: that of every comparison.
+const FOV_Y_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// What is drawn of a sphere, and where a law says how wide it is.
+const DRAWN: [(Variant, Option<Law>); 4] = [
+    (SCREEN, None),
+    (SCALE_99, Some(Law::Scaled(0.99))),
+    (SCALE_95, Some(Law::Scaled(0.95))),
+    (AS_PRINTED, Some(Law::Fattened)),
+];
+
+#[derive(Debug, Clone, Copy)]
+enum Law {
+    Scaled(f64),
+    Fattened,
 }
 
-/// Shares of the front faces that pictures of [`lost::SIZES_PX`] lose, see [`Lost::share`](super::lost::Lost::share).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LostOverViews {
-    /// Means over [`VIEWS`] views.
-    pub mean: [f64; 3],
-    /// Least of them.
-    pub least: [f64; 3],
-    /// Most of them.
-    pub most: [f64; 3],
+/// What one variant draws of one sphere.
+#[derive(Debug, Clone)]
+pub struct SphereResult {
+    /// The variant.
+    pub variant: Variant,
+    /// Level of the icosphere.
+    pub level: u32,
+    /// What each view shows.
+    pub drawn: Vec<Around>,
+    /// What follows from the geometry for each view; empty where no law is known.
+    pub derived: Vec<Around>,
 }
 
-/// [`VIEWS`] directions, spread evenly.
-fn directions() -> impl Iterator<Item = DVec3> {
+/// The ink around a sphere in one view.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Around {
+    /// Ink over the length of the smooth outline, in pixels.
+    pub width_px: f64,
+    /// Distance of the farthest ink outside of the smooth outline in pixels, 0 where none is; `None` where it is not derived.
+    pub farthest_px: Option<f64>,
+}
+
+impl Around {
+    fn of(pixels: impl Iterator<Item = (u32, u32)>) -> Self {
+        let (middle, radius) = (0.5 * f64::from(SIZE_PX), outline_radius_px(focal_px()));
+        let (mut count, mut farthest) = (0_u32, 0.0_f64);
+        for (x, y) in pixels {
+            count += 1;
+            farthest = farthest.max((f64::from(x) + 0.5 - middle).hypot(f64::from(y) + 0.5 - middle) - radius);
+        }
+        Self { width_px: f64::from(count) / (std::f64::consts::TAU * radius), farthest_px: Some(farthest) }
+    }
+}
+
+fn focal_px() -> f64 {
+    0.5 * f64::from(SIZE_PX) / (0.5 * FOV_Y_RAD).tan()
+}
+
+/// Directions spread evenly over the sphere, on a golden spiral.
+fn directions(views: u32) -> impl Iterator<Item = DVec3> {
     let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    (0..VIEWS).map(move |view| {
-        let height = 1.0 - (2.0 * f64::from(view) + 1.0) / f64::from(VIEWS);
+    (0..views).map(move |view| {
+        let height = 1.0 - (2.0 * f64::from(view) + 1.0) / f64::from(views);
         let (sine, cosine) = (golden * f64::from(view)).sin_cos();
         let across = (1.0 - height * height).sqrt();
         DVec3::new(across * cosine, height, across * sine)
     })
 }
 
-/// The camera of the predictions in a direction from the sphere.
-pub(super) fn camera(direction: DVec3) -> Result<Camera, ViewError> {
-    camera_through(direction, derived::FOV_Y_RAD)
+/// The camera in a unit direction from the sphere.
+fn camera(direction: DVec3) -> Result<Camera, ViewError> {
+    let up = if direction.y.abs() > 0.9 { Vec3::X } else { Vec3::Y };
+    let projection = Projection::Perspective { fov_y_rad: FOV_Y_RAD };
+    Camera::new((direction * DISTANCE).as_vec3(), Vec3::ZERO, up, projection, [SIZE_PX; 2])
 }
 
-/// The same with another field of view.
-fn camera_through(direction: DVec3, fov_y_rad: f64) -> Result<Camera, ViewError> {
-    let eye = direction.normalize() * derived::DISTANCE;
-    let projection = Projection::Perspective { fov_y_rad };
-    let up = if direction.y.abs() > 0.9 * direction.length() { Vec3::X } else { Vec3::Y };
-    Camera::new(eye.as_vec3(), Vec3::ZERO, up, projection, [derived::SIZE_PX; 2])
-}
-
-/// Draws an icosphere around the origin from every direction.
-pub(super) fn measure(
-    gpu: &Gpu,
-    name: &str,
-    mesh: &Arc<PreparedMesh>,
-    progress: &dyn Progress,
-) -> Result<SphereViews, LostError> {
-    let lost = derived::lost(name).map(|_| measure_lost(gpu, mesh, progress)).transpose()?;
-    let entry = registry::find("image-precision")?;
-    let radius = derived::outline_radius_px();
-    let middle = 0.5 * f64::from(derived::SIZE_PX);
-    let mut all = SphereViews { mean_width_px: 0.0, farthest_px: [f64::INFINITY, 0.0], lost };
-    for direction in directions() {
-        let camera = camera(direction)?;
-        let ink = lost::draw(gpu, mesh, entry, &AS_PRINTED, &camera, progress)?;
-        let from_middle = |(x, y): (u32, u32)| (f64::from(x) + 0.5 - middle).hypot(f64::from(y) + 0.5 - middle);
-        let farthest = ink.ink_pixels().map(|pixel| from_middle(pixel) - radius).fold(0.0, f64::max);
-        let width = ink.ink_pixels().count() as f64 / (std::f64::consts::TAU * radius);
-        all.mean_width_px += width / f64::from(VIEWS);
-        all.farthest_px = [all.farthest_px[0].min(farthest), all.farthest_px[1].max(farthest)];
+/// Draws an icosphere from `views` sides by [`SCREEN`], two scalings, and fattening as printed.
+///
+/// # Errors
+/// [`Cause`]: cancelled, or a device that failed.
+pub fn measure(gpu: &Gpu, level: u32, views: u32, progress: &dyn Progress) -> Result<Vec<SphereResult>, Cause> {
+    let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
+    let cameras = directions(views).map(camera).collect::<Result<Vec<_>, _>>()?;
+    let mut results = Vec::new();
+    for (variant, law) in DRAWN {
+        let mut result = SphereResult { variant, level, drawn: Vec::new(), derived: Vec::new() };
+        let mut drawing = variant.drawing(gpu, &mesh, style([SIZE_PX; 2], 1), progress)?;
+        for camera in &cameras {
+            progress.check()?;
+            drawing.draw(gpu, camera)?;
+            let ink = Ink::from_picture(&drawing.picture(gpu).map_err(silhouette_compare::drawing::DrawError::from)?);
+            result.drawn.push(Around::of(ink.ink_pixels()));
+            result.derived.extend(law.map(|law| derived(law, &mesh, camera)));
+        }
+        results.push(result);
     }
-    Ok(all)
+    progress.advance(1);
+    Ok(results)
 }
 
-/// Counts the faces of an icosphere around the origin that pictures lose, from every direction through
-/// [`derived::LOST_FOV_Y_RAD`]. Four pictures a view, one of them of [`lost::FINE_PX`]: half a second a view in software.
-fn measure_lost(gpu: &Gpu, mesh: &PreparedMesh, progress: &dyn Progress) -> Result<LostOverViews, LostError> {
-    let mut all = LostOverViews { mean: [0.0; 3], least: [1.0; 3], most: [0.0; 3] };
-    for direction in directions() {
-        progress.check().map_err(|cancelled| DrawError::Prepare(cancelled.into()))?;
-        let camera = camera_through(direction, derived::LOST_FOV_Y_RAD)?;
-        for (at, share) in lost::shares(gpu, mesh, &camera)?.into_iter().enumerate() {
-            all.mean[at] += share / f64::from(VIEWS);
-            all.least[at] = all.least[at].min(share);
-            all.most[at] = all.most[at].max(share);
+fn derived(law: Law, mesh: &PreparedMesh, camera: &Camera) -> Around {
+    match law {
+        Law::Scaled(k) => Around { width_px: scaled_width_px(k, focal_px()), farthest_px: None },
+        Law::Fattened => {
+            Around::of(fattened::ink(mesh.mesh(), camera, DEFAULT_PEN_WIDTH_PX).into_iter().map(|[x, y]| (x, y)))
         }
     }
-    Ok(all)
+}
+
+/// Shares of the front faces of an icosphere that pictures of [`lost::SIZES_PX`] lose, one per view. Half a second per view
+/// in software.
+///
+/// # Errors
+/// [`Cause`]: cancelled, or a device that failed.
+pub fn lost(gpu: &Gpu, level: u32, progress: &dyn Progress) -> Result<Vec<[f64; 3]>, Cause> {
+    let mesh = PreparedMesh::new(Sphere::default().icosphere(level)?);
+    progress.stage("lost faces of an icosphere", u64::from(VIEWS));
+    let shares = directions(VIEWS).map(|direction| {
+        progress.check()?;
+        progress.advance(1);
+        lost::shares(gpu, &mesh, &camera(direction)?)
+    });
+    shares.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::NoProgress;
+    use silhouette_render::testing::gpu_or_skip;
+
+    fn widths(around: &[Around]) -> Vec<f64> {
+        around.iter().map(|around| around.width_px).collect()
+    }
+
+    /// Drawn and computed ink are counted at the same pixel centres, of the same triangles: they differ where 32 bits move an
+    /// edge across a centre.
+    #[test]
+    fn fattening_as_printed_draws_what_the_law_computes_in_every_view() {
+        let test = "fattening_as_printed_draws_what_the_law_computes_in_every_view";
+        let Some(gpu) = gpu_or_skip(test) else { return };
+        for level in [2, 4] {
+            let results = measure(gpu, level, 4, &NoProgress).unwrap();
+            let [screen, .., fattened] = &results[..] else { panic!("{results:?}") };
+            assert!(widths(&screen.drawn).iter().all(|width| (1.9..2.1).contains(width)), "{screen:?}");
+            for (drawn, derived) in fattened.drawn.iter().zip(&fattened.derived) {
+                assert!((drawn.width_px / derived.width_px - 1.0).abs() < 0.02, "{level}: {drawn:?} {derived:?}");
+                let [drawn_px, derived_px] = [drawn, derived].map(|around| around.farthest_px.unwrap());
+                assert!((drawn_px - derived_px).abs() < 2.0, "{level}: {drawn:?} {derived:?}");
+                assert!(drawn.width_px > 1.2 * widths(&screen.drawn)[0], "the control: it is no even line");
+            }
+        }
+    }
+
+    /// The rim of a scaled sphere is thinner than a pixel. Its polygons approach the smooth sphere with each level.
+    #[test]
+    fn scaling_approaches_the_width_of_the_smooth_sphere() {
+        let Some(gpu) = gpu_or_skip("scaling_approaches_the_width_of_the_smooth_sphere") else { return };
+        let error = |level| {
+            let results = measure(gpu, level, 4, &NoProgress).unwrap();
+            let scaled = &results[2];
+            assert_eq!(scaled.variant, SCALE_95);
+            let mean = widths(&scaled.drawn).iter().sum::<f64>() / 4.0;
+            (mean / scaled.derived[0].width_px - 1.0).abs()
+        };
+        let errors = [3, 5].map(error);
+        assert!(errors[1] < 0.5 * errors[0] && errors[1] < 0.15, "{errors:?}");
+    }
 }

@@ -1,12 +1,13 @@
 //! Frame times over plain rendering, in the same run.
 
+use crate::table::Range;
 use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle, PAPER};
 use silhouette_core::view::Camera;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_gpu::MeshBuffers;
 use silhouette_render::{Cull, DEFAULT_FORMATS, FillPass, FillStyle, Gpu, Load, PassView, Shade, Target};
 
-/// A mesh drawn without silhouettes.
+/// A mesh drawn without silhouettes, in one colour.
 pub struct Plain {
     buffers: MeshBuffers,
     fill: FillPass,
@@ -14,7 +15,7 @@ pub struct Plain {
 }
 
 impl Plain {
-    /// All of its faces, lit, as the application would draw them.
+    /// All of its faces, those culled by `cull` omitted.
     ///
     /// # Errors
     /// [`DrawError`].
@@ -41,22 +42,22 @@ impl Plain {
 pub struct FrameTimes {
     /// Without silhouettes, both sides of every face.
     pub plain_ms: f64,
-    /// Without silhouettes, front faces alone.
+    /// Without silhouettes, front faces only.
     pub plain_culled_ms: f64,
-    /// With them, one a drawing.
+    /// With them, one per drawing.
     pub variants_ms: Vec<f64>,
 }
 
-/// Times every drawing in turn, `rounds` times over, so that a change of the machine's speed meets all alike; the first
-/// round warms up and is left out. Medians over the others. Each is drawn twice in a round and timed the second time: an
-/// application's frame follows one of the same drawing, which has left its buffers in the caches.
+/// Times every drawing in turn, `rounds` times, so that a change of the machine's speed affects all alike; the first round
+/// warms up and is left out. Each is drawn twice in a round and timed the second time: a frame of an application follows one
+/// of the same drawing, which has left its buffers in the caches.
 ///
 /// # Errors
 /// [`DrawError`]; a cancelled run is [`DrawError::Prepare`].
 pub fn time(
     gpu: &Gpu,
     camera: &Camera,
-    plain: [&Plain; 2],
+    plain: &[Plain; 2],
     drawings: &mut [Drawing],
     rounds: u32,
     progress: &dyn Progress,
@@ -78,9 +79,8 @@ pub fn time(
         }
         progress.advance(1);
     }
-    let medians: Vec<f64> = samples
-        .iter()
-        .map(|samples| silhouette_compare::cost::Spread::of(samples).map_or(f64::NAN, |spread| spread.median))
-        .collect();
-    Ok(FrameTimes { plain_ms: medians[0], plain_culled_ms: medians[1], variants_ms: medians[2..].to_vec() })
+    let mut medians =
+        samples.into_iter().map(|samples| Range::of(samples, "rounds").map_or(f64::NAN, |range| range.median));
+    let mut median = || medians.next().unwrap_or(f64::NAN);
+    Ok(FrameTimes { plain_ms: median(), plain_culled_ms: median(), variants_ms: medians.collect() })
 }

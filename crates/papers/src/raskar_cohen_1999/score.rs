@@ -4,23 +4,23 @@ use silhouette_compare::metrics::distance_transform::distance_transform;
 use silhouette_compare::metrics::{Ink, LineMetrics, TruePen, measure};
 use silhouette_compare::truth::TrueLines;
 
-/// Ink farther than this from every silhouette edge, seen or not, shows through from behind.
+/// Ink farther than this from every silhouette edge, visible or not, shows through from behind.
 pub const BLEED_PX: f64 = 5.0;
 
 /// Ink is a stray where it lies farther beyond a pen's width than this.
 const STRAY_PX: f64 = 1.0;
 
-/// What a picture scores.
+/// The score of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Score {
     /// Against the visible lines.
     pub metrics: LineMetrics,
-    /// Ink in pixels over the length of the visible lines: their width, were there no other ink.
+    /// Ink in pixels over the length of the visible lines: their width if there were no other ink.
     pub ink_over_length_px: f64,
-    /// Share of the ink farther than the pen's width and a pixel from every visible line: on whichever side, so that it
-    /// does not depend on where the true pen lies.
+    /// Share of the ink farther than the pen's width and a pixel from every visible line, on either side, so that it does
+    /// not depend on where the true pen lies.
     pub stray: f64,
-    /// Share of the ink farther than [`BLEED_PX`] from every silhouette edge, seen or not.
+    /// Share of the ink farther than [`BLEED_PX`] from every silhouette edge, visible or not.
     pub bleed: f64,
     /// Distance of the farthest ink from every silhouette edge, in pixels; 0 without ink.
     pub farthest_px: f64,
