@@ -1,7 +1,7 @@
 //! Charts of tables, as SVG.
 //!
 //! [`trade`]: two metrics against each other, a panel per table and a mark per row. [`bars`]: metrics side by side, a bar per
-//! row. [`place`]: where words beside marks have room.
+//! row. `place`: where words beside marks have room.
 
 pub mod bars;
 mod place;

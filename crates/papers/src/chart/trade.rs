@@ -3,6 +3,7 @@
 use super::place::Extent;
 use crate::table::{Mark, Table};
 use silhouette_compare::plot::{FAINT_GRID, GRID, INK, LogAxis, line, paper, rounded, text};
+use std::f64::consts::TAU;
 use svg::node::element::{Group, Polyline, Text};
 
 /// Panels side by side.
@@ -21,24 +22,11 @@ const RIGHT_MARGIN: f64 = 16.0;
 const TOP: f64 = 36.0;
 const BOTTOM: f64 = 364.0;
 
+/// Radius of a mark in pixels.
+const MARK: f64 = 6.0;
+
 /// Marks nearer to each other than this, in pixels, share their words.
 const NEAR: f64 = 5.0;
-
-/// Corners of a plus sign around the origin.
-const PLUS: [[f64; 2]; 12] = [
-    [-1.5, -5.5],
-    [1.5, -5.5],
-    [1.5, -1.5],
-    [5.5, -1.5],
-    [5.5, 1.5],
-    [1.5, 1.5],
-    [1.5, 5.5],
-    [-1.5, 5.5],
-    [-1.5, 1.5],
-    [-5.5, 1.5],
-    [-5.5, -1.5],
-    [-1.5, -1.5],
-];
 
 /// What is drawn alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,31 +35,14 @@ pub struct Series {
     pub label: &'static str,
     /// Colour of its marks.
     pub color: &'static str,
-    /// Shape of its marks, so that colour alone distinguishes no two series.
-    pub shape: Shape,
+    /// Corners of its marks, so that colour alone distinguishes no two series.
+    pub corners: u32,
+    /// By how many degrees marks are turned; at 0 a corner points down.
+    pub turned_deg: u32,
     /// Whether marks are drawn as outlines.
     pub is_hollow: bool,
     /// Whether a line joins its marks in the order of the rows.
     pub is_joined: bool,
-}
-
-/// Shape of a mark.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
-    /// A plus sign.
-    Plus,
-    /// A circle.
-    Circle,
-    /// A square on its side.
-    Square,
-    /// A square on its corner.
-    Diamond,
-    /// A triangle pointing down.
-    Down,
-    /// A triangle pointing up.
-    Up,
-    /// A hexagon.
-    Hexagon,
 }
 
 /// What is drawn against what.
@@ -81,28 +52,6 @@ pub struct Axes {
     pub x: [&'static str; 2],
     /// Metric from bottom to top, logarithmic, and the words beside it.
     pub y: [&'static str; 2],
-}
-
-impl Shape {
-    /// Corners around the origin.
-    fn corners(self) -> Vec<[f64; 2]> {
-        let turn = |corners: u32, first: f64, radius: f64| {
-            let corner = |index: u32| {
-                let (sin, cos) = (first + std::f64::consts::TAU * f64::from(index) / f64::from(corners)).sin_cos();
-                [rounded(radius * sin), rounded(radius * cos)]
-            };
-            (0..corners).map(corner).collect::<Vec<_>>()
-        };
-        match self {
-            Self::Plus => PLUS.to_vec(),
-            Self::Circle => turn(24, 0.0, 4.5),
-            Self::Square => turn(4, std::f64::consts::FRAC_PI_4, 6.0),
-            Self::Diamond => turn(4, 0.0, 7.0),
-            Self::Down => turn(3, 0.0, 6.5),
-            Self::Up => turn(3, std::f64::consts::PI, 6.5),
-            Self::Hexagon => turn(6, 0.0, 6.0),
-        }
-    }
 }
 
 /// The chart, as SVG: the rows of `tables` that have a mark and both metrics.
@@ -122,13 +71,12 @@ pub fn draw(tables: &[Table], axes: Axes, series: &[Series]) -> String {
 }
 
 fn mark(series: &Series, [x, y]: [f64; 2]) -> Polyline {
-    let shape = series.shape.corners();
-    let points = shape
-        .iter()
-        .chain(shape.first())
-        .map(|corner| format!("{},{}", rounded(x + corner[0]), rounded(y + corner[1])));
+    let corner = |index: u32| {
+        let turn = TAU * f64::from(index) / f64::from(series.corners) + f64::from(series.turned_deg).to_radians();
+        format!("{},{}", rounded(x + MARK * turn.sin()), rounded(y + MARK * turn.cos()))
+    };
     Polyline::new()
-        .set("points", points.collect::<Vec<_>>().join(" "))
+        .set("points", (0..=series.corners).map(corner).collect::<Vec<_>>().join(" "))
         .set("stroke", series.color)
         .set("stroke-width", 1.5)
         .set("fill", if series.is_hollow { "#ffffff" } else { series.color })
@@ -214,7 +162,7 @@ fn panel(table: &Table, axes: Axes, series: &[Series], right: f64) -> Group {
     for point in &points {
         let [x, y] = at(point);
         group = group.add(mark(&series[point.mark.series], [x, y]));
-        taken.push(Extent { from: [x - 6.0, y - 6.0], to: [x + 6.0, y + 6.0] });
+        taken.push(Extent { from: [x - MARK, y - MARK], to: [x + MARK, y + MARK] });
     }
     for Label { series: of, mark, label } in labels(points.iter().map(|point| (point.mark, at(point)))) {
         let place = Extent::free_beside(mark, &label, LEFT, &taken);
@@ -274,8 +222,8 @@ mod tests {
     use crate::table::{Cell, Column, Row};
 
     const SERIES: [Series; 2] = [
-        Series { label: "joined", color: "#0000ff", shape: Shape::Circle, is_hollow: false, is_joined: true },
-        Series { label: "alone", color: "#ff0000", shape: Shape::Diamond, is_hollow: true, is_joined: false },
+        Series { label: "joined", color: "#0000ff", corners: 24, turned_deg: 0, is_hollow: false, is_joined: true },
+        Series { label: "alone", color: "#ff0000", corners: 4, turned_deg: 0, is_hollow: true, is_joined: false },
     ];
 
     /// Three marked rows, one without a mark and one without a time.

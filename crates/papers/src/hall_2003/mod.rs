@@ -1,25 +1,25 @@
 //! T. Hall, "Silhouette Tracking", 2003: the table of the section Performance.
 //!
 //! The paper prints frames per second of a Pentium III, on three models of which one is available: the bunny, recognised by
-//! its 69 451 faces ([`printed`]). Beside its speed-ups over brute force stand ours, counted in faces, which no machine
+//! its 69 451 faces (`printed`). Beside its speed-ups over brute force stand ours, counted in faces, which no machine
 //! changes, and in wall time over brute force in the same run. The paper does not say what is missed; the same rows say it
 //! here. Rows that it lacks follow: tracking without a concave list, with single edges, in its exact mode and with a budget,
 //! and today's extractors.
 //!
-//! 1. [`circles`]: where the eye flies. [`variants`]: what flies there.
-//! 2. [`measure`]: each variant over the path. [`counted`]: faces evaluated; [`missed`]: edges, loops and length missed;
-//!    [`visible`]: visible length missed; [`timed`]: time.
-//! 3. [`rows`]: the table.
+//! 1. `circles`: where the eye flies. `variants`: what flies there.
+//! 2. `measure`: each variant over the path. `counted`: faces evaluated; `missed`: edges, loops and length missed;
+//!    `visible`: visible length missed; `timed`: time.
+//! 3. `rows`: the table.
 
-pub mod circles;
-pub mod counted;
-pub mod measure;
-pub mod missed;
-pub mod printed;
-pub mod rows;
-pub mod timed;
-pub mod variants;
-pub mod visible;
+mod circles;
+mod counted;
+mod measure;
+mod missed;
+mod printed;
+mod rows;
+mod timed;
+mod variants;
+mod visible;
 
 use crate::error::PaperError;
 use crate::paper::{Measured, Paper, Run};

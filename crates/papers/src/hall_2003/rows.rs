@@ -6,7 +6,7 @@ use super::measure::{MeshResult, VariantResult, frames};
 use super::printed::{BUNNY, LEVELS_RAD, OTHERS, PaperModel, model_of};
 use super::variants::{Asked, Extractor, Variant};
 use crate::chart::Chart;
-use crate::chart::trade::{self, Axes, Series, Shape};
+use crate::chart::trade::{self, Axes, Series};
 use crate::paper::Measured;
 use crate::table::{Cell, Column, Comparable, Mark, Range, Row, Table};
 use silhouette_compare::Profile;
@@ -16,65 +16,32 @@ use silhouette_tracking::TestedEdges;
 /// The section of the paper that holds the table.
 const TABLE: &str = "Performance";
 
-const COUNTED: Column = Column {
-    title: "counted",
-    metric: "speed-up, counted",
-    unit: "×",
-    digits: 2,
-    meaning: "faces of the mesh over faces evaluated in a frame, over twenty circles; the same on every machine; \
-              extractors of today may count a face twice",
-};
-const COUNTED_HERE: Column = Column {
-    title: "counted here",
-    metric: "speed-up, counted, on the measured circle",
-    unit: "×",
-    digits: 2,
-    meaning: "the same on the circle of all columns to the right",
-};
-const WALL: Column = Column {
-    title: "wall",
-    metric: "speed-up, wall time",
-    unit: "×",
-    digits: 2,
-    meaning: "median frame time of Hall's brute force over this one's, in the same run",
-};
-const RATE: Column = Column {
-    title: "rate",
-    metric: "frame rate",
-    unit: "frames/s",
-    digits: 2,
-    meaning: "frames per second, from the median time; nothing is drawn",
-};
-const TIME: Column =
-    Column { title: "time", metric: "frame time", unit: "µs", digits: 1, meaning: "median time of a frame" };
-const EDGES: Column = Column {
-    title: "edges",
-    metric: "edges missed",
-    unit: "%",
-    digits: 2,
-    meaning: "silhouette edges that were not found",
-};
-const LOOPS: Column = Column {
-    title: "loops",
-    metric: "loops missed",
-    unit: "%",
-    digits: 2,
-    meaning: "silhouette loops of which no edge was found",
-};
-const LENGTH: Column = Column {
-    title: "length",
-    metric: "length missed",
-    unit: "%",
-    digits: 2,
-    meaning: "length in space that was not found, hidden parts included",
-};
-const VISIBLE: Column = Column {
-    title: "visible",
-    metric: "visible length missed",
-    unit: "%",
-    digits: 2,
-    meaning: "visible length in the picture that was not found",
-};
+const COUNTED: Column = column(
+    ["counted", "speed-up, counted", "×"],
+    "faces of the mesh over faces evaluated in a frame, over twenty circles; the same on every machine; extractors of today \
+     may count a face twice",
+);
+const COUNTED_HERE: Column = column(
+    ["counted here", "speed-up, counted, on the measured circle", "×"],
+    "the same on the circle of all columns to the right",
+);
+const WALL: Column = column(
+    ["wall", "speed-up, wall time", "×"],
+    "median frame time of Hall's brute force over this one's, in the same run",
+);
+const RATE: Column =
+    column(["rate", "frame rate", "frames/s"], "frames per second, from the median time; nothing is drawn");
+const TIME: Column = Column { digits: 1, ..column(["time", "frame time", "µs"], "median time of a frame") };
+const EDGES: Column = column(["edges", "edges missed", "%"], "silhouette edges that were not found");
+const LOOPS: Column = column(["loops", "loops missed", "%"], "silhouette loops of which no edge was found");
+const LENGTH: Column =
+    column(["length", "length missed", "%"], "length in space that was not found, hidden parts included");
+const VISIBLE: Column =
+    column(["visible", "visible length missed", "%"], "visible length in the picture that was not found");
+
+const fn column([title, metric, unit]: [&'static str; 3], meaning: &'static str) -> Column {
+    Column { title, metric, unit, digits: 2, meaning }
+}
 
 /// The machine that the paper's times were taken on.
 const PAPER_MACHINE: &str = "a Pentium III of 650 MHz";
@@ -83,19 +50,19 @@ const PAPER_MACHINE: &str = "a Pentium III of 650 MHz";
 const CIRCLES: &str = "twenty circles";
 
 const SERIES: [Series; 9] = [
-    series("brute force (Hall; in fours)", COLORS[6], Shape::Plus),
-    Series { is_joined: true, ..series("tracking by level N", COLORS[0], Shape::Circle) },
-    series("tracking, single edges", COLORS[1], Shape::Square),
-    series("tracking, exact", COLORS[2], Shape::Diamond),
-    series("tracking, 1 % budget", COLORS[3], Shape::Up),
-    Series { is_hollow: true, ..series("brute-force-simd, edges", COLORS[5], Shape::Down) },
-    series("brute-force-simd, loops", COLORS[5], Shape::Down),
-    Series { is_hollow: true, ..series("cluster-cones, edges", COLORS[4], Shape::Hexagon) },
-    series("cluster-cones, loops", COLORS[4], Shape::Hexagon),
+    series("brute force (Hall; in fours)", COLORS[6], 5, 180),
+    Series { is_joined: true, ..series("tracking by level N", COLORS[0], 24, 0) },
+    series("tracking, single edges", COLORS[1], 4, 45),
+    series("tracking, exact", COLORS[2], 4, 0),
+    series("tracking, 1 % budget", COLORS[3], 3, 180),
+    Series { is_hollow: true, ..series("brute-force-simd, edges", COLORS[5], 3, 0) },
+    series("brute-force-simd, loops", COLORS[5], 3, 0),
+    Series { is_hollow: true, ..series("cluster-cones, edges", COLORS[4], 6, 0) },
+    series("cluster-cones, loops", COLORS[4], 6, 0),
 ];
 
-const fn series(label: &'static str, color: &'static str, shape: Shape) -> Series {
-    Series { label, color, shape, is_hollow: false, is_joined: false }
+const fn series(label: &'static str, color: &'static str, corners: u32, turned_deg: u32) -> Series {
+    Series { label, color, corners, turned_deg, is_hollow: false, is_joined: false }
 }
 
 /// Which of [`SERIES`] a variant belongs to, and what stands beside its mark.
@@ -263,9 +230,9 @@ mod tests {
             assert!(SERIES.get(row.mark.as_ref().unwrap().series).is_some());
         }
         assert_eq!(measured.tables[0].rows.len(), Variant::all().len());
+        let shape = |series: &Series| (series.corners, series.turned_deg, series.is_hollow);
         for (index, one) in SERIES.iter().enumerate() {
-            let looks_alike = |other: &Series| other.shape == one.shape && other.is_hollow == one.is_hollow;
-            assert!(!SERIES[..index].iter().any(looks_alike), "{}", one.label);
+            assert!(SERIES[..index].iter().all(|other| shape(other) != shape(one)), "{}", one.label);
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Section 4 of the paper: faces whose id is not read back are behind the first layer. Faces that cover no pixel's centre are
-//! not read back either. How many front faces a picture loses so, and the ink that they get.
+//! not read back either. How many front faces a picture loses so, and what becomes of its ink where the winding says nothing.
 
 use super::variants::{UNORIENTED, Unoriented};
 use crate::error::Cause;
@@ -24,8 +24,25 @@ pub struct Lost {
     pub size_px: u32,
     /// Share of the front faces in a picture of [`FINE_PX`] that it lacks.
     pub share: f64,
-    /// Pixels that each of [`UNORIENTED`] inks and its oriented counterpart does not.
-    pub extra_px: [usize; 2],
+    /// What each of [`UNORIENTED`] draws of the soup, beside what its oriented counterpart draws of the mesh.
+    pub inks: [InkOfSoup; 2],
+}
+
+/// The ink of a soup beside that of the oriented mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InkOfSoup {
+    /// Share of the soup's ink that the mesh does not have.
+    pub false_share: f64,
+    /// Share of the mesh's ink that the soup lacks.
+    pub lacking_share: f64,
+}
+
+impl InkOfSoup {
+    fn of(soup: &Ink, mesh: &Ink) -> Self {
+        let [of_soup, of_mesh] = [soup, mesh].map(|ink| ink.ink_pixels().collect::<HashSet<_>>());
+        let share = |one: &HashSet<_>, other| one.difference(other).count() as f64 / one.len().max(1) as f64;
+        Self { false_share: share(&of_soup, &of_mesh), lacking_share: share(&of_mesh, &of_soup) }
+    }
 }
 
 /// Of the front faces that a picture of [`FINE_PX`] shows, the shares that pictures of [`SIZES_PX`] do not. Draws
@@ -33,7 +50,7 @@ pub struct Lost {
 ///
 /// # Errors
 /// [`Cause`]: no camera, or a device that failed.
-pub fn shares(gpu: &Gpu, mesh: &PreparedMesh, camera: &Camera) -> Result<[f64; 3], Cause> {
+fn shares(gpu: &Gpu, mesh: &PreparedMesh, camera: &Camera) -> Result<[f64; 3], Cause> {
     let buffers = MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh()).map_err(DrawError::from)?;
     let facings = FaceFacings::new(mesh.mesh(), &camera.viewpoint());
     // Which front faces a picture shows.
@@ -62,33 +79,26 @@ pub fn shares(gpu: &Gpu, mesh: &PreparedMesh, camera: &Camera) -> Result<[f64; 3
     Ok(shares)
 }
 
-/// Draws the ids of a mesh's faces at four sizes, and its lines at three.
+/// Draws the ids of a mesh's faces at four sizes, and lines of the mesh and its soup at three.
 ///
 /// # Errors
 /// [`Cause`]: cancelled, no camera, or a device that failed.
 pub fn measure(
     gpu: &Gpu,
-    mesh: &Arc<PreparedMesh>,
+    [mesh, soup]: [&Arc<PreparedMesh>; 2],
     camera: &Camera,
     progress: &dyn Progress,
 ) -> Result<Vec<Lost>, Cause> {
     let mut all = Vec::new();
     for (size_px, share) in SIZES_PX.into_iter().zip(shares(gpu, mesh, camera)?) {
         let camera = camera.with_size([size_px; 2])?;
-        let mut extra_px = [0; 2];
-        for (extra, Unoriented { variant, oriented }) in extra_px.iter_mut().zip(UNORIENTED) {
-            let found = variant.ink(gpu, mesh, &camera, progress)?;
-            *extra = added(&found, &oriented.ink(gpu, mesh, &camera, progress)?);
-        }
-        all.push(Lost { size_px, share, extra_px });
+        let ink = |Unoriented { variant, oriented }: &Unoriented| -> Result<InkOfSoup, Cause> {
+            let found = variant.ink(gpu, soup, &camera, progress)?;
+            Ok(InkOfSoup::of(&found, &oriented.ink(gpu, mesh, &camera, progress)?))
+        };
+        all.push(Lost { size_px, share, inks: [ink(&UNORIENTED[0])?, ink(&UNORIENTED[1])?] });
     }
     Ok(all)
-}
-
-/// Number of pixels with ink in the first picture and none in the second.
-pub fn added(found: &Ink, expected: &Ink) -> usize {
-    let expected: HashSet<_> = expected.ink_pixels().collect();
-    found.ink_pixels().filter(|pixel| !expected.contains(pixel)).count()
 }
 
 #[cfg(test)]
@@ -96,9 +106,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn added_ink_is_what_the_other_picture_lacks() {
+    fn false_ink_is_what_the_mesh_lacks_and_the_reverse() {
         let row = |inked: &[u32]| Ink::from_fn(4, 1, |x, _| f32::from(u8::from(inked.contains(&x))));
-        assert_eq!(added(&row(&[0, 1, 3]), &row(&[1])), 2);
-        assert_eq!(added(&row(&[1]), &row(&[0, 1, 3])), 0);
+        let ink = InkOfSoup::of(&row(&[0, 1, 3]), &row(&[1, 2]));
+        assert_eq!((ink.false_share, ink.lacking_share), (2.0 / 3.0, 0.5));
+        let blank = InkOfSoup::of(&row(&[]), &row(&[1]));
+        assert_eq!((blank.false_share, blank.lacking_share), (0.0, 1.0));
     }
 }

@@ -5,27 +5,26 @@
 //! measures no picture; here every variant is scored by its width, what it misses, what it adds and what shows through from
 //! behind, and on spheres beside what follows from the geometry.
 //!
-//! 1. [`printed`]: the paper's numbers. [`variants`]: what is drawn.
-//! 2. [`measure`]: every variant of every mesh. [`score`]: one picture; [`timed`]: frames over plain ones; [`lost`]: faces
-//!    that a picture is too coarse for; [`soup`]: triangles whose winding says nothing.
-//! 3. [`spheres`]: icospheres from many sides, beside the ink that [`derived`] and [`fattened`] compute without drawing.
-//! 4. [`rows`]: the tables.
+//! 1. `printed`: the paper's numbers. `variants`: what is drawn.
+//! 2. `measure`: every variant of every mesh. `score`: one picture; `timed`: frames over plain ones; `lost`: faces
+//!    that a picture is too coarse for; `soup`: triangles whose winding says nothing.
+//! 3. `spheres`: icospheres from many sides, beside the ink that `derived` and `fattened` compute without drawing.
+//! 4. `rows`: the tables.
 
-pub mod derived;
-pub mod fattened;
-pub mod lost;
-pub mod measure;
-pub mod printed;
-pub mod rows;
-pub mod score;
-pub mod soup;
-pub mod spheres;
-pub mod timed;
-pub mod variants;
+mod derived;
+mod fattened;
+mod lost;
+mod measure;
+mod printed;
+mod rows;
+mod score;
+mod soup;
+mod spheres;
+mod timed;
+mod variants;
 
 use crate::error::{Cause, PaperError};
 use crate::paper::{Measured, Paper, Run};
-use silhouette_compare::Profile;
 use silhouette_core::Method;
 use silhouette_image_precision::ImagePrecision;
 
@@ -41,7 +40,8 @@ pub static PAPER: Paper = Paper {
         "Lines are asked for 2 pixels wide; variants that pull have no width of their own. The true lines are the exact \
          visible silhouette, drawn with the method's own pen. A one-sided pen inks both sides where the silhouette of a fine \
          mesh zigzags, so that spurious ink is underestimated there; stray ink is not.",
-        "Unoriented variants draw the same triangles as a soup in which every other one is turned inside out.",
+        "Unoriented variants draw a soup: the same triangles without shared vertices, in a random order, half of them turned \
+         inside out.",
     ],
     default_meshes: &["builtin:blob:5672", "builtin:blob:13408", "builtin:machine-room"],
     needs_gpu: true,
@@ -51,21 +51,11 @@ pub static PAPER: Paper = Paper {
 /// Levels of the icospheres that are drawn.
 const LEVELS: std::ops::RangeInclusive<u32> = 2..=5;
 
-/// Level of the icosphere whose lost faces are counted from many sides.
-const LOST_LEVEL: u32 = 4;
-
 fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
     let (gpu, progress) = (run.gpu()?, run.progress);
     let meshes = measure::meshes(run, gpu)?;
-    let of_spheres = PaperError::of::<Cause>("icospheres");
     progress.stage("icospheres", LEVELS.count() as u64);
     let spheres = LEVELS.map(|level| spheres::measure(gpu, level, spheres::VIEWS, progress)).collect::<Result<_, _>>();
-    let spheres: Vec<_> = spheres.map_err(of_spheres)?;
-    let (mut lost, mut soups) = (Vec::new(), Vec::new());
-    if run.profile == Profile::Full {
-        lost = spheres::lost(gpu, LOST_LEVEL, progress).map_err(of_spheres)?;
-        soups = soup::measure(gpu, run.profile.size(), progress).map_err(PaperError::of::<Cause>(soup::MILLION))?;
-    }
-    let adapter = gpu.adapter().to_string();
-    Ok(rows::measured(&rows::Results { adapter, meshes, spheres, lost: (LOST_LEVEL, lost), soups }))
+    let spheres: Vec<_> = spheres.map_err(PaperError::of::<Cause>("icospheres"))?;
+    Ok(rows::measured(&gpu.adapter().to_string(), &meshes, &spheres))
 }

@@ -1,12 +1,11 @@
 //! The tables: the paper's frame rates beside ours, then what its pictures show.
 
-use super::lost::{FINE_PX, Lost, SIZES_PX};
+use super::lost::Lost;
 use super::measure::{MeshResult, VariantResult};
 use super::printed::{PaperRow, ROWS};
 use super::score::Score;
-use super::soup::SoupResult;
 use super::spheres::{Around, SphereResult, VIEWS};
-use super::variants::{UNORIENTED, VARIANTS};
+use super::variants::VARIANTS;
 use crate::chart::Chart;
 use crate::chart::bars::{self, Bar};
 use crate::paper::Measured;
@@ -71,29 +70,11 @@ fn scores(Score { metrics, ink_over_length_px, stray, bleed, farthest_px }: &Sco
     ]
 }
 
-/// Everything that was measured.
-pub struct Results {
-    /// The adapter that drew.
-    pub adapter: String,
-    /// The meshes.
-    pub meshes: Vec<MeshResult>,
-    /// Spheres, one list of variants per level.
-    pub spheres: Vec<Vec<SphereResult>>,
-    /// Level of an icosphere, and the shares of its front faces that pictures lose, one per view; often empty.
-    pub lost: (u32, Vec<[f64; 3]>),
-    /// A soup of a million triangles, one per variant of [`UNORIENTED`]; often empty.
-    pub soups: Vec<SoupResult>,
-}
-
 /// What was measured, as tables and a chart.
-pub fn measured(results: &Results) -> Measured {
-    let mut tables = vec![performance(results)];
-    for mesh in &results.meshes {
-        tables.extend([pictures(mesh), smooth_pictures(mesh), lost_faces(mesh)]);
-    }
-    tables.push(spheres(&results.spheres));
-    let of_many = [lost_over_views(&results.lost), soup(&results.soups)];
-    tables.extend(of_many.into_iter().filter(|table| !table.rows.is_empty()));
+pub fn measured(adapter: &str, meshes: &[MeshResult], levels: &[Vec<SphereResult>]) -> Measured {
+    let mut tables = vec![performance(adapter, meshes)];
+    tables.extend(meshes.iter().flat_map(|mesh| [pictures(mesh), smooth_pictures(mesh), lost_faces(mesh)]));
+    tables.push(spheres(levels));
     let width = Bar {
         metric: WIDTH.metric,
         deviation: Some(DEVIATION.metric),
@@ -111,7 +92,7 @@ pub fn measured(results: &Results) -> Measured {
         asked: None,
     };
     let svg = bars::draw(tables.iter().filter(|table| table.name == PICTURES), &[width, through]);
-    let size = results.meshes.first().map_or(0, |mesh| mesh.size_px);
+    let size = meshes.first().map_or(0, |mesh| mesh.size_px);
     Measured {
         setting: format!("{size} x {size} pixels, frames over plain rendering in the same run"),
         notes: Vec::new(),
@@ -121,7 +102,7 @@ pub fn measured(results: &Results) -> Measured {
 }
 
 /// Frame rate with silhouettes over the rate without, of each row of the paper and of the mesh that stands in for its model.
-fn performance(Results { adapter, meshes, .. }: &Results) -> Table {
+fn performance(adapter: &str, meshes: &[MeshResult]) -> Table {
     let row = |row: &PaperRow| {
         let mesh = meshes.iter().find(|mesh| mesh.name == row.stand_in);
         let ours = mesh.and_then(|mesh| rate_kept(mesh, row.variant));
@@ -185,34 +166,27 @@ fn of_mesh(name: &'static str, mesh: &MeshResult) -> Table {
     }
 }
 
-const LOST: &str = "lost faces";
-const LOST_SHARE: Column =
-    column("lost", "front faces lost", "%", "front faces visible at 4096 x 4096 pixels that the picture lacks");
-
 fn lost_faces(mesh: &MeshResult) -> Table {
-    const fn pixels(title: &'static str, metric: &'static str) -> Column {
-        let meaning = "pixels that it inks and its oriented counterpart does not, on the consistently wound mesh";
-        Column { digits: 0, ..column(title, metric, "px", meaning) }
-    }
-    let extra = [
-        pixels(UNORIENTED[0].variant.label, "ink of unoriented by lost faces"),
-        pixels(UNORIENTED[1].variant.label, "ink of unoriented, screen by lost faces"),
-    ];
-    let row = |lost: &Lost| {
-        let cells = [100.0 * lost.share].into_iter().chain(lost.extra_px.map(|pixels| pixels as f64));
-        Row::new(size_name(lost.size_px), cells.map(Cell::one).collect())
+    let share = "ink of the soup that its oriented counterpart does not draw of the mesh";
+    let lacking = "ink that its oriented counterpart draws of the mesh and that the soup lacks";
+    let row = |Lost { size_px, share, inks }: &Lost| {
+        let inks = inks.iter().flat_map(|ink| [ink.false_share, ink.lacking_share]);
+        let cells = [*share].into_iter().chain(inks).map(|share| Cell::one(100.0 * share));
+        Row::new(format!("{size_px} x {size_px}"), cells.collect())
     };
     Table {
-        name: LOST,
+        name: "lost faces",
         subject: mesh.name.clone(),
-        columns: [LOST_SHARE].into_iter().chain(extra).collect(),
+        columns: vec![
+            column("lost", "front faces lost", "%", "front faces visible at 4096 x 4096 pixels that the picture lacks"),
+            column("unoriented: false", "false ink, unoriented", "%", share),
+            column("lacking", "lacking ink, unoriented", "%", lacking),
+            column("screen: false", "false ink, unoriented, screen", "%", share),
+            column("lacking", "lacking ink, unoriented, screen", "%", lacking),
+        ],
         rows: mesh.lost.iter().map(row).collect(),
         ..Table::default()
     }
-}
-
-fn size_name(size_px: u32) -> String {
-    format!("{size_px} x {size_px}")
 }
 
 fn spheres(levels: &[Vec<SphereResult>]) -> Table {
@@ -240,77 +214,28 @@ fn spheres(levels: &[Vec<SphereResult>]) -> Table {
     }
 }
 
-fn lost_over_views((level, shares): &(u32, Vec<[f64; 3]>)) -> Table {
-    let row = |(at, size_px): (usize, u32)| {
-        let range = Range::of(shares.iter().map(|shares| 100.0 * shares[at]), OVER_VIEWS)?;
-        Some(Row::new(size_name(size_px), vec![Cell::range(Some(range))]))
-    };
-    Table {
-        name: LOST,
-        subject: format!("icosphere {level}"),
-        about: format!(
-            "ranges over {VIEWS} views spread evenly, 45°, 3 radii away; beside the fine picture, {FINE_PX} px a side"
-        ),
-        columns: vec![LOST_SHARE],
-        rows: SIZES_PX.into_iter().enumerate().filter_map(row).collect(),
-        ..Table::default()
-    }
-}
-
-fn soup(soups: &[SoupResult]) -> Table {
-    let share = |count: usize, all: usize| 100.0 * count as f64 / all.max(1) as f64;
-    let row = |soup: &SoupResult| {
-        let values = [soup.ink_px as f64, share(soup.false_px, soup.ink_px), share(soup.lacking_px, soup.expected_px)];
-        Row::new(soup.variant.label, values.map(Cell::one).to_vec())
-    };
-    Table {
-        name: "soup of a million triangles",
-        about: soups.first().map_or_else(String::new, |soup| {
-            format!("{} triangles in a random order, half of them turned, beside the oriented mesh", soup.triangles)
-        }),
-        columns: vec![
-            Column { digits: 0, ..column("ink", "ink", "px", "pixels with ink") },
-            column("false", "false ink", "%", "ink of the soup that the oriented mesh does not have"),
-            column("lacking", "ink that lacks", "%", "ink of the oriented mesh that the soup does not have"),
-        ],
-        rows: soups.iter().map(row).collect(),
-        ..Table::default()
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::lost::SIZES_PX;
     use super::super::measure::tests::measured as meshes;
+    use super::super::variants::UNORIENTED;
     use super::*;
-    use crate::figure::figures;
+    use crate::figure::{Figure, figures};
 
-    /// The measured mesh, and made-up values of everything else.
-    fn results(test: &str) -> Option<Results> {
+    /// The measured mesh, and a made-up sphere.
+    fn of_one_mesh(test: &str) -> Option<(Vec<Table>, Vec<Figure>)> {
         let around = |width_px| Around { width_px, farthest_px: Some(40.0) };
         let sphere =
             SphereResult { variant: VARIANTS[0], level: 2, drawn: vec![around(2.0)], derived: vec![around(3.0)] };
-        let soup = SoupResult {
-            variant: UNORIENTED[0].variant,
-            triangles: 9,
-            ink_px: 8,
-            expected_px: 4,
-            false_px: 6,
-            lacking_px: 1,
-        };
-        Some(Results {
-            adapter: "an adapter".to_owned(),
-            meshes: meshes(test)?.to_vec(),
-            spheres: vec![vec![sphere]],
-            lost: (4, vec![[0.1, 0.2, 0.3], [0.3, 0.2, 0.1]]),
-            soups: vec![soup],
-        })
+        let tables = measured("an adapter", meshes(test)?, &[vec![sphere]]).tables;
+        let figures = figures("image-precision", &tables);
+        Some((tables, figures))
     }
 
     #[test]
     fn printed_rates_stand_beside_stand_ins_that_are_not_comparable() {
         let test = "printed_rates_stand_beside_stand_ins_that_are_not_comparable";
-        let Some(results) = results(test) else { return };
-        let figures = figures("image-precision", &measured(&results).tables);
+        let Some((_, figures)) = of_one_mesh(test) else { return };
         let printed: Vec<_> = figures.iter().filter(|figure| figure.paper.is_some()).collect();
         assert_eq!(printed.len(), ROWS.len());
         for figure in printed {
@@ -322,30 +247,17 @@ mod tests {
     }
 
     #[test]
-    fn every_variant_has_its_scores_and_all_values_are_numbers() {
-        let Some(results) = results("every_variant_has_its_scores_and_all_values_are_numbers") else { return };
-        let tables = measured(&results).tables;
-        let names: Vec<_> = tables.iter().map(|table| (table.name, table.rows.len())).collect();
-        let [all, oriented] = [VARIANTS.len() + UNORIENTED.len(), VARIANTS.len()];
-        let expected = [
-            (PERFORMANCE, 5),
-            (PICTURES, all),
-            ("pictures, 4 samples per pixel", oriented),
-            (LOST, 3),
-            ("spheres", 1),
-            (LOST, 3),
-            ("soup of a million triangles", 2 - 1),
-        ];
-        assert_eq!(names, expected);
+    fn every_variant_has_its_scores_under_its_columns() {
+        let Some((tables, figures)) = of_one_mesh("every_variant_has_its_scores_under_its_columns") else { return };
+        let rows: Vec<_> = tables.iter().map(|table| table.rows.len()).collect();
+        assert_eq!(rows, [ROWS.len(), VARIANTS.len() + UNORIENTED.len(), VARIANTS.len(), SIZES_PX.len(), 1]);
         assert!(tables.iter().all(|table| table.rows.iter().all(|row| row.cells.len() == table.columns.len())));
-        let figures = figures("image-precision", &tables);
         let of = |row: &str, metric: &str| {
             let found = figures.iter().find(|figure| figure.row == row && figure.metric == metric);
             found.unwrap_or_else(|| panic!("{row}, {metric}")).ours.unwrap()
         };
-        assert_eq!(of("unoriented", "false ink"), 75.0);
-        assert_eq!(of("unoriented", "ink that lacks"), 25.0);
-        assert_eq!(of("icosphere 4, 256 x 256", "front faces lost, most"), 30.0);
+        let screen = &meshes("").unwrap()[0].sharp[0].score;
+        assert_eq!(of("builtin:blob:5672, screen", "farthest ink"), screen.farthest_px);
         assert_eq!(of("icosphere 2, screen", "ink over outline, derived"), 3.0);
     }
 }

@@ -3,7 +3,6 @@
 
 use super::derived::{DISTANCE, outline_radius_px, scaled_width_px};
 use super::fattened;
-use super::lost;
 use super::variants::{AS_PRINTED, SCALE_95, SCALE_99, SCREEN, Variant, style};
 use crate::error::Cause;
 use silhouette_compare::metrics::Ink;
@@ -124,22 +123,6 @@ fn derived(law: Law, mesh: &PreparedMesh, camera: &Camera) -> Around {
             Around::of(fattened::ink(mesh.mesh(), camera, DEFAULT_PEN_WIDTH_PX).into_iter().map(|[x, y]| (x, y)))
         }
     }
-}
-
-/// Shares of the front faces of an icosphere that pictures of [`lost::SIZES_PX`] lose, one per view. Half a second per view
-/// in software.
-///
-/// # Errors
-/// [`Cause`]: cancelled, or a device that failed.
-pub fn lost(gpu: &Gpu, level: u32, progress: &dyn Progress) -> Result<Vec<[f64; 3]>, Cause> {
-    let mesh = PreparedMesh::new(Sphere::default().icosphere(level)?);
-    progress.stage("lost faces of an icosphere", u64::from(VIEWS));
-    let shares = directions(VIEWS).map(|direction| {
-        progress.check()?;
-        progress.advance(1);
-        lost::shares(gpu, &mesh, &camera(direction)?)
-    });
-    shares.collect()
 }
 
 #[cfg(test)]
