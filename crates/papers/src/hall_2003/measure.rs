@@ -213,7 +213,7 @@ impl<'a> Flight<'a> {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
     use silhouette_core::{NoProgress, shapes};
     use silhouette_tracking::TestedEdges;
@@ -228,7 +228,7 @@ pub(super) mod tests {
     }
 
     /// Two small meshes, flown once for all tests.
-    pub fn flown() -> &'static [MeshResult] {
+    fn flown() -> &'static [MeshResult] {
         static FLOWN: OnceLock<Vec<MeshResult>> = OnceLock::new();
         FLOWN.get_or_init(|| meshes(&run(&[named("blob:2000"), named("gear")])).unwrap())
     }

@@ -171,19 +171,33 @@ fn printed_only(has_bunny: bool) -> Table {
 
 #[cfg(test)]
 mod tests {
-    use super::super::measure::tests::flown;
+    use super::super::circles::circles;
+    use super::super::missed::Missed;
     use super::*;
     use crate::figure::{Figure, figures};
 
-    fn figures_of(meshes: &[MeshResult]) -> Vec<Figure> {
-        figures("tracking", &measured(Profile::Quick, meshes).tables)
+    /// Made-up values of a mesh of this many faces: on circle i every variant evaluates one of i + 1 faces.
+    fn made_up(faces: usize) -> MeshResult {
+        let counted = |(at, circle): (u64, _)| Counted { circle, evaluated: 100, all: 100 * (at + 1), fallbacks: 0 };
+        let result = |(at, variant)| VariantResult {
+            variant,
+            counted: (0..).zip(circles()).map(counted).collect(),
+            median_us: if at == 0 { 40.0 } else { 20.0 },
+            missed: Missed::default(),
+            missed_visible: 0.5,
+        };
+        let variants = Variant::all().into_iter().enumerate().map(result).collect();
+        let name = format!("{faces} faces");
+        MeshResult { name, faces, concave_edges: 3, boundary_edges: 2, half_edges: 10.0, loops: 1.0, variants }
     }
 
-    /// The flown meshes with the first passed off as the bunny.
-    fn with_a_bunny() -> Vec<MeshResult> {
-        let mut meshes = flown().to_vec();
-        meshes[0].faces = BUNNY.faces;
-        meshes
+    /// The bunny and another mesh.
+    fn with_a_bunny() -> [MeshResult; 2] {
+        [BUNNY.faces, 2000].map(made_up)
+    }
+
+    fn figures_of(meshes: &[MeshResult]) -> Vec<Figure> {
+        figures("tracking", &measured(Profile::Quick, meshes).tables)
     }
 
     #[test]
@@ -200,7 +214,9 @@ mod tests {
             (printed[2].as_slice(), &printed[3]),
             (&BUNNY.fps[..], &OTHERS.map(|model| model.speed_ups).concat())
         );
-        assert!(figures.iter().filter(|figure| figure.row.starts_with("gear")).all(|figure| figure.paper.is_none()));
+        assert!(
+            figures.iter().filter(|figure| figure.row.starts_with("2000 faces")).all(|figure| figure.paper.is_none())
+        );
     }
 
     #[test]
@@ -214,19 +230,22 @@ mod tests {
 
     #[test]
     fn without_a_bunny_its_rows_say_how_to_get_them() {
-        let figures = figures_of(flown());
+        let figures = figures_of(&[made_up(2000)]);
         let missing: Vec<_> = figures.iter().filter(|figure| figure.row.starts_with("Bunny")).collect();
         assert_eq!(missing.len(), 6);
         assert!(missing.iter().all(|figure| figure.ours.is_none() && figure.note.contains("69451 faces")));
-        assert!(measured(Profile::Quick, flown()).notes[0].contains("69451"));
+        assert!(measured(Profile::Quick, &[made_up(2000)]).notes[0].contains("69451"));
         assert!(measured(Profile::Quick, &with_a_bunny()).notes.is_empty());
     }
 
     #[test]
     fn every_variant_has_every_value_and_a_mark_of_a_series_that_looks_like_no_other() {
-        let measured = measured(Profile::Quick, flown());
+        let measured = measured(Profile::Quick, &[made_up(2000)]);
         for row in &measured.tables[0].rows {
-            assert!(row.cells.iter().all(|cell| cell.ours.is_some()), "{}", row.label);
+            let values: Vec<f64> = row.cells.iter().filter_map(|cell| Some(cell.ours?.middle())).collect();
+            let [wall, us] = if row.label == Variant::BruteForce.label() { [1.0, 40.0] } else { [2.0, 20.0] };
+            // Of the speed-ups 1 to 20 the median is 10.5; the measured circle is the tenth.
+            assert_eq!(values, [10.5, 10.0, wall, 1e6 / us, us, 0.0, 0.0, 0.0, 0.5], "{}", row.label);
             assert!(SERIES.get(row.mark.as_ref().unwrap().series).is_some());
         }
         assert_eq!(measured.tables[0].rows.len(), Variant::all().len());

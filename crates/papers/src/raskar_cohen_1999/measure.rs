@@ -154,25 +154,12 @@ impl Scene {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::super::variants::{SCALE_99, SCREEN};
     use super::*;
     use silhouette_core::NoProgress;
     use silhouette_core::shapes::by_name;
     use silhouette_render::testing::gpu_or_skip;
-    use std::sync::OnceLock;
-
-    /// One small mesh, measured once for all tests; `None` where there is no adapter.
-    pub fn measured(test: &str) -> Option<&'static [MeshResult]> {
-        static MEASURED: OnceLock<Vec<MeshResult>> = OnceLock::new();
-        let gpu = gpu_or_skip(test)?;
-        Some(MEASURED.get_or_init(|| {
-            let mesh = Arc::new(PreparedMesh::new(by_name("blob:5672").unwrap()));
-            let named = [NamedMesh { name: "builtin:blob:5672".to_owned(), mesh }];
-            let run = Run { profile: Profile::Quick, meshes: &named, gpu: Some(gpu), progress: &NoProgress };
-            meshes(&run, gpu).unwrap()
-        }))
-    }
 
     fn of<'a>(mesh: &'a MeshResult, label: &str) -> &'a Score {
         &mesh.sharp.iter().find(|result| result.variant.label == label).unwrap().score
@@ -180,8 +167,11 @@ pub(super) mod tests {
 
     #[test]
     fn variants_draw_what_follows_from_the_geometry() {
-        let Some(meshes) = measured("variants_draw_what_follows_from_the_geometry") else { return };
-        let mesh = &meshes[0];
+        let Some(gpu) = gpu_or_skip("variants_draw_what_follows_from_the_geometry") else { return };
+        let mesh = Arc::new(PreparedMesh::new(by_name("blob:5672").unwrap()));
+        let named = NamedMesh { name: "blob".to_owned(), mesh };
+        let run = Run { profile: Profile::Quick, meshes: &[], gpu: Some(gpu), progress: &NoProgress };
+        let mesh = &measure_mesh(&run, &named, gpu).unwrap();
         let screen = of(mesh, SCREEN.label);
         assert!((1.9..2.1).contains(&screen.metrics.width_mean_px), "{screen:?}");
         assert!(screen.metrics.missed_1px + screen.stray + screen.metrics.gaps_per_1000px < 1e-12, "{screen:?}");

@@ -216,48 +216,72 @@ fn spheres(levels: &[Vec<SphereResult>]) -> Table {
 
 #[cfg(test)]
 mod tests {
-    use super::super::lost::SIZES_PX;
-    use super::super::measure::tests::measured as meshes;
+    use super::super::lost::InkOfSoup;
+    use super::super::timed::FrameTimes;
     use super::super::variants::UNORIENTED;
     use super::*;
     use crate::figure::{Figure, figures};
+    use silhouette_compare::metrics::LineMetrics;
 
-    /// The measured mesh, and a made-up sphere.
-    fn of_one_mesh(test: &str) -> Option<(Vec<Table>, Vec<Figure>)> {
+    /// Tables and figures of made-up values: a stand-in for the paper's Venus, and a sphere.
+    fn made_up() -> (Vec<Table>, Vec<Figure>) {
+        let metrics = LineMetrics { width_mean_px: 2.0, missed_1px: 0.25, ..LineMetrics::default() };
+        let score = Score { metrics, ink_over_length_px: 3.0, stray: 0.1, bleed: 0.05, farthest_px: 7.0 };
+        let results = |variants: &[_]| variants.iter().map(|&variant| VariantResult { variant, score }).collect();
+        let ink = InkOfSoup { false_share: 0.5, lacking_share: 0.125 };
+        let mesh = MeshResult {
+            name: "builtin:blob:5672".to_owned(),
+            faces: 5672,
+            visible_px: 100.0,
+            size_px: 512,
+            times: FrameTimes { plain_ms: 2.0, plain_culled_ms: 1.0, variants_ms: vec![4.0; VARIANTS.len()] },
+            sharp: results(&[&VARIANTS[..], &UNORIENTED.map(|unoriented| unoriented.variant)].concat()),
+            smooth: results(&VARIANTS),
+            lost: vec![Lost { size_px: 256, share: 0.75, inks: [ink; 2] }],
+        };
         let around = |width_px| Around { width_px, farthest_px: Some(40.0) };
-        let sphere =
-            SphereResult { variant: VARIANTS[0], level: 2, drawn: vec![around(2.0)], derived: vec![around(3.0)] };
-        let tables = measured("an adapter", meshes(test)?, &[vec![sphere]]).tables;
+        let drawn = [2.0, 1.0, 4.0].map(around).to_vec();
+        let sphere = SphereResult { variant: VARIANTS[0], level: 2, drawn, derived: vec![around(3.0)] };
+        let tables = measured("an adapter", &[mesh], &[vec![sphere]]).tables;
         let figures = figures("image-precision", &tables);
-        Some((tables, figures))
+        (tables, figures)
     }
 
     #[test]
     fn printed_rates_stand_beside_stand_ins_that_are_not_comparable() {
-        let test = "printed_rates_stand_beside_stand_ins_that_are_not_comparable";
-        let Some((_, figures)) = of_one_mesh(test) else { return };
+        let (_, figures) = made_up();
         let printed: Vec<_> = figures.iter().filter(|figure| figure.paper.is_some()).collect();
         assert_eq!(printed.len(), ROWS.len());
         for figure in printed {
             let is_venus = figure.row.starts_with("Venus");
-            assert_eq!((figure.ours.is_some(), figure.comparable, figure.ratio), (is_venus, false, None), "{figure:?}");
+            assert_eq!((figure.ours, figure.comparable, figure.ratio), (is_venus.then_some(0.5), false, None));
             let reason = if is_venus { "an adapter draws instead of an InfiniteReality" } else { "not measured: name" };
             assert!(figure.note.contains(reason), "{figure:?}");
         }
     }
 
     #[test]
-    fn every_variant_has_its_scores_under_its_columns() {
-        let Some((tables, figures)) = of_one_mesh("every_variant_has_its_scores_under_its_columns") else { return };
+    fn every_value_stands_under_its_column() {
+        let (tables, figures) = made_up();
         let rows: Vec<_> = tables.iter().map(|table| table.rows.len()).collect();
-        assert_eq!(rows, [ROWS.len(), VARIANTS.len() + UNORIENTED.len(), VARIANTS.len(), SIZES_PX.len(), 1]);
+        assert_eq!(rows, [ROWS.len(), VARIANTS.len() + UNORIENTED.len(), VARIANTS.len(), 1, 1]);
         assert!(tables.iter().all(|table| table.rows.iter().all(|row| row.cells.len() == table.columns.len())));
-        let of = |row: &str, metric: &str| {
+        for (row, metric, expected) in [
+            ("builtin:blob:5672, screen", "mean width", 2.0),
+            ("builtin:blob:5672, screen", "missed at 1 px", 25.0),
+            ("builtin:blob:5672, screen", "shows through", 5.0),
+            ("builtin:blob:5672, screen", "farthest ink", 7.0),
+            ("builtin:blob:5672, screen", "frame time over plain rendering of front faces", 4.0),
+            ("builtin:blob:5672, 256 x 256", "front faces lost", 75.0),
+            ("builtin:blob:5672, 256 x 256", "lacking ink, unoriented, screen", 12.5),
+            ("icosphere 2, screen", "ink over outline", 2.0),
+            ("icosphere 2, screen", "ink over outline, most", 4.0),
+            ("icosphere 2, screen", "ink over outline, derived", 3.0),
+        ] {
             let found = figures.iter().find(|figure| figure.row == row && figure.metric == metric);
-            found.unwrap_or_else(|| panic!("{row}, {metric}")).ours.unwrap()
-        };
-        let screen = &meshes("").unwrap()[0].sharp[0].score;
-        assert_eq!(of("builtin:blob:5672, screen", "farthest ink"), screen.farthest_px);
-        assert_eq!(of("icosphere 2, screen", "ink over outline, derived"), 3.0);
+            assert_eq!(found.and_then(|figure| figure.ours), Some(expected), "{row}, {metric}");
+        }
+        let unoriented_times = |figure: &&Figure| figure.row.contains("unoriented") && figure.metric.contains("time");
+        assert_eq!(figures.iter().filter(unoriented_times).count(), 0, "soups are not timed");
     }
 }
