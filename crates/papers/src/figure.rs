@@ -30,7 +30,7 @@ pub struct Figure {
     pub row: String,
     /// What is measured.
     pub metric: String,
-    /// Unit of both values; empty for ratios.
+    /// Unit of both values; × for ratios.
     pub unit: String,
     /// The paper's value; `None` where it prints none.
     pub paper: Option<f64>,

@@ -1,7 +1,7 @@
 //! The page: one template for all papers, charts inline, everything that a user named escaped.
 
 use crate::paper::Reproduction;
-use crate::table::{Cell, Column, Comparable, Ours, Printed, Table};
+use crate::table::{Cell, Column, Comparable, Ours, Printed, Row, Table};
 use minijinja::{Environment, Value, context};
 
 /// Name of the template; its ending makes the engine escape values for HTML.
@@ -40,7 +40,7 @@ pub fn render(reproduction: &Reproduction) -> Result<String, minijinja::Error> {
 
 fn table_section(table: &Table) -> Value {
     let columns = table.columns.iter().map(|column| context! { title => column.title, unit => column.unit });
-    let is_printed = table.rows.iter().any(|row| row.is_printed());
+    let is_printed = table.rows.iter().any(Row::is_printed);
     let rows = table.rows.iter().map(|row| {
         let cells = table.columns.iter().zip(&row.cells).map(|(column, cell)| cell_value(column, cell));
         context! {
@@ -56,14 +56,14 @@ fn table_section(table: &Table) -> Value {
         columns => columns.collect::<Vec<_>>(),
         remark_title => table.remark_title,
         rows => rows.collect::<Vec<_>>(),
-        is_printed => is_printed,
+        has_tint => is_printed && !table.rows.iter().all(Row::is_printed),
         incomparable => table.incomparable(),
     }
 }
 
 fn cell_value(column: &Column, cell: &Cell) -> Value {
     let range = match cell.ours {
-        Some(Ours::Range(range)) => Some(format!("{} to {}", column.text(range.least), column.text(range.most))),
+        Some(Ours::Range(range)) => column.range_text(range),
         _ => None,
     };
     let paper = cell.paper.as_ref().map(|Printed { value, comparable }| {

@@ -24,7 +24,7 @@ pub struct Column {
     pub title: &'static str,
     /// What is measured: its name in results, unique in a table.
     pub metric: &'static str,
-    /// Unit of every value; empty for ratios.
+    /// Unit of every value; × for ratios.
     pub unit: &'static str,
     /// Digits after the decimal point, where people read it.
     pub digits: usize,
@@ -197,9 +197,16 @@ impl Table {
 }
 
 impl Column {
-    /// A value as people read it: nothing is `0`, and what would round to nothing is `< 0.01`.
+    /// A range as people read it; `None` where both ends read alike.
+    pub fn range_text(&self, range: Range) -> Option<String> {
+        let [least, most] = [range.least, range.most].map(|value| self.text(value));
+        (least != most).then(|| format!("{least} to {most}"))
+    }
+
+    /// A value as people read it: nothing is `0`, what would round to nothing is `< 0.01`, and thousands have no digits after
+    /// the point.
     pub fn text(&self, value: f64) -> String {
-        let digits = self.digits;
+        let digits = if value.abs() < 1000.0 { self.digits } else { 0 };
         let text = format!("{value:.digits$}");
         let rounds_to_nothing = text.trim_matches(['0', '.', '-']).is_empty();
         match value {
@@ -240,8 +247,11 @@ pub(crate) mod tests {
     #[test]
     fn a_range_knows_its_middle_and_its_ends() {
         let range = Range::of([4.0, f64::INFINITY, 1.0, 2.0, 3.0], "").unwrap();
-        assert_eq!([range.least, range.median, range.most], [1.0, 2.5, 4.0]);
+        assert_eq!((range.least, range.median, range.most), (1.0, 2.5, 4.0));
         assert_eq!(Range::of([f64::NAN], ""), None);
+        let column = table().columns[0];
+        assert_eq!(column.range_text(range).as_deref(), Some("1.00 to 4.00"));
+        assert_eq!(column.range_text(Range { most: 1.001, ..range }), None);
     }
 
     #[test]
@@ -257,7 +267,10 @@ pub(crate) mod tests {
     #[test]
     fn small_values_are_not_rounded_to_nothing() {
         let [two, none] = [table().columns[0], table().columns[1]];
-        assert_eq!([0.0, 0.001, 0.006, 12.345].map(|value| two.text(value)), ["0", "< 0.01", "0.01", "12.35"]);
+        assert_eq!(
+            [0.0, 0.001, 0.006, 12.345, 1234.5].map(|value| two.text(value)),
+            ["0", "< 0.01", "0.01", "12.35", "1234"]
+        );
         assert_eq!([0.0, 0.2, 7.6].map(|value| none.text(value)), ["0", "< 1", "8"]);
     }
 }

@@ -58,7 +58,7 @@ fn write_table(table: &Table, out: &mut impl Write) -> io::Result<()> {
 fn cell_text(column: &Column, cell: &Cell) -> String {
     let mut text = cell.ours.map_or_else(|| "–".to_owned(), |ours| column.text(ours.middle()));
     if let Some(Ours::Range(range)) = cell.ours {
-        text.push_str(&format!(" ({} to {})", column.text(range.least), column.text(range.most)));
+        text.extend(column.range_text(range).map(|range| format!(" ({range})")));
     }
     if let Some(Printed { value, comparable }) = &cell.paper {
         let star = if *comparable == Comparable::Yes { "" } else { "*" };

@@ -41,7 +41,10 @@ pub fn draw<'a>(tables: impl IntoIterator<Item = &'a Table>, bars: &[Bar]) -> St
         top += HEAD + ROW * table.rows.len() as f64 + FOOT;
     }
     let width = LABELS + (PLOT + BETWEEN) * bars.len() as f64;
-    let document = panels.into_iter().fold(paper([width, top.max(HEAD)]), |document, panel| document.add(panel));
+    let mut document = paper([width, top.max(HEAD)]);
+    for panel in panels {
+        document = document.add(panel);
+    }
     format!("{document}\n")
 }
 
@@ -52,8 +55,10 @@ fn panel(table: &Table, bars: &[Bar]) -> Group {
         let label = text(row.label.clone(), [LABELS - 12.0, middle(index) + 4.0], "end");
         group = group.add(label.set("fill", INK));
     }
-    let plots = bars.iter().enumerate();
-    plots.fold(group, |group, (index, bar)| group.add(plot(table, bar, LABELS + (PLOT + BETWEEN) * index as f64)))
+    for (index, bar) in bars.iter().enumerate() {
+        group = group.add(plot(table, bar, LABELS + (PLOT + BETWEEN) * index as f64));
+    }
+    group
 }
 
 /// Height of a row's middle.

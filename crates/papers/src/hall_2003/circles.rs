@@ -167,7 +167,7 @@ mod tests {
             values
         };
         let distances = sorted(|circle| circle.distance_radii);
-        assert_eq!([distances[9], distances[10]], [CIRCLE.distance_radii; 2]);
+        assert_eq!((distances[9], distances[10]), (CIRCLE.distance_radii, CIRCLE.distance_radii));
         assert!(CIRCLE.elevation_deg.abs() < 1e-12);
         assert_eq!((circles().count(), circles().filter(|&circle| circle == CIRCLE).count()), (20, 1));
     }

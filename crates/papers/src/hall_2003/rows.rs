@@ -166,7 +166,8 @@ fn printed_only(has_bunny: bool) -> Table {
             Row::new(format!("{}, tracking, N = {level_rad}", model.name), vec![printed])
         })
     });
-    Table { name: TABLE, columns: vec![COUNTED], rows: rows.collect(), ..Table::default() }
+    let about = "printed values of models that were not measured".to_owned();
+    Table { name: TABLE, about, columns: vec![COUNTED], rows: rows.collect(), ..Table::default() }
 }
 
 #[cfg(test)]

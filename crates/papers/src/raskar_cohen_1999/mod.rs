@@ -57,5 +57,5 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
     progress.stage("icospheres", LEVELS.count() as u64);
     let spheres = LEVELS.map(|level| spheres::measure(gpu, level, spheres::VIEWS, progress)).collect::<Result<_, _>>();
     let spheres: Vec<_> = spheres.map_err(PaperError::of::<Cause>("icospheres"))?;
-    Ok(rows::measured(&gpu.adapter().to_string(), &meshes, &spheres))
+    Ok(rows::measured(&gpu.adapter().name, &meshes, &spheres))
 }

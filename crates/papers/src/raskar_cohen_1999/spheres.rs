@@ -97,23 +97,30 @@ fn camera(direction: DVec3) -> Result<Camera, ViewError> {
 /// # Errors
 /// [`Cause`]: cancelled, or a device that failed.
 pub fn measure(gpu: &Gpu, level: u32, views: u32, progress: &dyn Progress) -> Result<Vec<SphereResult>, Cause> {
-    let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
-    let cameras = directions(views).map(camera).collect::<Result<Vec<_>, _>>()?;
-    let mut results = Vec::new();
-    for (variant, law) in DRAWN {
-        let mut result = SphereResult { variant, level, drawn: Vec::new(), derived: Vec::new() };
-        let mut drawing = variant.drawing(gpu, &mesh, style([SIZE_PX; 2], 1), progress)?;
-        for camera in &cameras {
-            progress.check()?;
-            drawing.draw(gpu, camera)?;
-            let ink = Ink::from_picture(&drawing.picture(gpu).map_err(silhouette_compare::drawing::DrawError::from)?);
-            result.drawn.push(Around::of(ink.ink_pixels()));
-            result.derived.extend(law.map(|law| derived(law, &mesh, camera)));
-        }
-        results.push(result);
-    }
+    let results = DRAWN.map(|drawn| of_variant(gpu, level, drawn, views, progress)).into_iter().collect();
     progress.advance(1);
-    Ok(results)
+    results
+}
+
+fn of_variant(
+    gpu: &Gpu,
+    level: u32,
+    (variant, law): (Variant, Option<Law>),
+    views: u32,
+    progress: &dyn Progress,
+) -> Result<SphereResult, Cause> {
+    let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
+    let mut result = SphereResult { variant, level, drawn: Vec::new(), derived: Vec::new() };
+    let mut drawing = variant.drawing(gpu, &mesh, style([SIZE_PX; 2], 1), progress)?;
+    for direction in directions(views) {
+        progress.check()?;
+        let camera = camera(direction)?;
+        drawing.draw(gpu, &camera)?;
+        let ink = Ink::from_picture(&drawing.picture(gpu)?);
+        result.drawn.push(Around::of(ink.ink_pixels()));
+        result.derived.extend(law.map(|law| derived(law, &mesh, &camera)));
+    }
+    Ok(result)
 }
 
 fn derived(law: Law, mesh: &PreparedMesh, camera: &Camera) -> Around {
@@ -154,18 +161,17 @@ mod tests {
         }
     }
 
-    /// The rim of a scaled sphere is thinner than a pixel. Its polygons approach the smooth sphere with each level.
+    /// The rim of a scaled sphere is a few facets wide at level 5. Each level halves the facets, and with them the error.
     #[test]
-    fn scaling_approaches_the_width_of_the_smooth_sphere() {
-        let Some(gpu) = gpu_or_skip("scaling_approaches_the_width_of_the_smooth_sphere") else { return };
+    fn scaling_converges_to_the_width_of_the_smooth_sphere() {
+        let Some(gpu) = gpu_or_skip("scaling_converges_to_the_width_of_the_smooth_sphere") else { return };
         let error = |level| {
-            let results = measure(gpu, level, 4, &NoProgress).unwrap();
-            let scaled = &results[2];
-            assert_eq!(scaled.variant, SCALE_95);
+            let scaled = (SCALE_95, Some(Law::Scaled(0.95)));
+            let scaled = of_variant(gpu, level, scaled, 4, &NoProgress).unwrap();
             let mean = widths(&scaled.drawn).iter().sum::<f64>() / 4.0;
             (mean / scaled.derived[0].width_px - 1.0).abs()
         };
-        let errors = [3, 5].map(error);
-        assert!(errors[1] < 0.5 * errors[0] && errors[1] < 0.15, "{errors:?}");
+        let errors = [5, 6, 7].map(error);
+        assert!(errors.windows(2).all(|pair| pair[1] < 0.75 * pair[0]) && errors[2] < 0.05, "{errors:?}");
     }
 }
