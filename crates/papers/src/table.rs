@@ -197,6 +197,11 @@ impl Table {
 }
 
 impl Column {
+    /// A column of two digits after the decimal point.
+    pub const fn new(title: &'static str, metric: &'static str, unit: &'static str, meaning: &'static str) -> Self {
+        Self { title, metric, unit, digits: 2, meaning }
+    }
+
     /// A range as people read it; `None` where both ends read alike.
     pub fn range_text(&self, range: Range) -> Option<String> {
         let [least, most] = [range.least, range.most].map(|value| self.text(value));
@@ -223,7 +228,7 @@ pub(crate) mod tests {
 
     /// Two rows and two columns: a range and a value beside the paper's, of which one is not comparable; a row of ours.
     pub fn table() -> Table {
-        let column = |title, metric, digits| Column { title, metric, unit: "px", digits, meaning: "a <meaning>" };
+        let column = |title, metric, digits| Column { digits, ..Column::new(title, metric, "px", "a <meaning>") };
         let range = Range::of([3.0, 1.0, 2.0], "three views");
         let why = Comparable::No("another <machine>".to_owned());
         let printed = vec![

@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn every_value_has_a_bar_and_long_ones_are_cut() {
-        let column = |metric| Column { title: "", metric, unit: "", digits: 2, meaning: "" };
+        let column = |metric| Column::new("", metric, "", "");
         let row = |values: [f64; 3]| Row::new("<row>", values.map(Cell::one).to_vec());
         let table = Table {
             columns: ["width", "deviation", "share"].map(column).to_vec(),

@@ -45,6 +45,13 @@ pub struct Series {
     pub is_joined: bool,
 }
 
+impl Series {
+    /// A series of filled marks that no line joins.
+    pub const fn new(label: &'static str, color: &'static str, corners: u32, turned_deg: u32) -> Self {
+        Self { label, color, corners, turned_deg, is_hollow: false, is_joined: false }
+    }
+}
+
 /// What is drawn against what.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Axes {
@@ -222,13 +229,13 @@ mod tests {
     use crate::table::{Cell, Column, Row};
 
     const SERIES: [Series; 2] = [
-        Series { label: "joined", color: "#0000ff", corners: 24, turned_deg: 0, is_hollow: false, is_joined: true },
-        Series { label: "alone", color: "#ff0000", corners: 4, turned_deg: 0, is_hollow: true, is_joined: false },
+        Series { is_joined: true, ..Series::new("joined", "#0000ff", 24, 0) },
+        Series { is_hollow: true, ..Series::new("alone", "#ff0000", 4, 0) },
     ];
 
     /// Three marked rows, one without a mark and one without a time.
     fn table() -> Table {
-        let column = |metric| Column { title: "", metric, unit: "", digits: 2, meaning: "" };
+        let column = |metric| Column::new("", metric, "", "");
         let row = |series: usize, label: &str, values: [f64; 2]| Row {
             mark: Some(Mark { series, label: label.to_owned() }),
             ..Row::new("row", values.map(Cell::one).to_vec())

@@ -16,32 +16,34 @@ use silhouette_tracking::TestedEdges;
 /// The section of the paper that holds the table.
 const TABLE: &str = "Performance";
 
-const COUNTED: Column = column(
-    ["counted", "speed-up, counted", "×"],
+const COUNTED: Column = Column::new(
+    "counted",
+    "speed-up, counted",
+    "×",
     "faces of the mesh over faces evaluated in a frame, over twenty circles; the same on every machine; extractors of today \
      may count a face twice",
 );
-const COUNTED_HERE: Column = column(
-    ["counted here", "speed-up, counted, on the measured circle", "×"],
-    "the same on the circle of all columns to the right",
+const COUNTED_HERE: Column = Column::new(
+    "counted here",
+    "speed-up, counted, on the measured circle",
+    "×",
+    "the same on the one circle that the columns to the right are measured on",
 );
-const WALL: Column = column(
-    ["wall", "speed-up, wall time", "×"],
+const WALL: Column = Column::new(
+    "wall",
+    "speed-up, wall time",
+    "×",
     "median frame time of Hall's brute force over this one's, in the same run",
 );
 const RATE: Column =
-    column(["rate", "frame rate", "frames/s"], "frames per second, from the median time; nothing is drawn");
-const TIME: Column = Column { digits: 1, ..column(["time", "frame time", "µs"], "median time of a frame") };
-const EDGES: Column = column(["edges", "edges missed", "%"], "silhouette edges that were not found");
-const LOOPS: Column = column(["loops", "loops missed", "%"], "silhouette loops of which no edge was found");
+    Column::new("rate", "frame rate", "frames/s", "frames per second, from the median time; nothing is drawn");
+const TIME: Column = Column { digits: 1, ..Column::new("time", "frame time", "µs", "median time of a frame") };
+const EDGES: Column = Column::new("edges", "edges missed", "%", "silhouette edges that were not found");
+const LOOPS: Column = Column::new("loops", "loops missed", "%", "silhouette loops of which no edge was found");
 const LENGTH: Column =
-    column(["length", "length missed", "%"], "length in space that was not found, hidden parts included");
+    Column::new("length", "length missed", "%", "length in space that was not found, hidden parts included");
 const VISIBLE: Column =
-    column(["visible", "visible length missed", "%"], "visible length in the picture that was not found");
-
-const fn column([title, metric, unit]: [&'static str; 3], meaning: &'static str) -> Column {
-    Column { title, metric, unit, digits: 2, meaning }
-}
+    Column::new("visible", "visible length missed", "%", "visible length in the picture that was not found");
 
 /// The machine that the paper's times were taken on.
 const PAPER_MACHINE: &str = "a Pentium III of 650 MHz";
@@ -50,20 +52,16 @@ const PAPER_MACHINE: &str = "a Pentium III of 650 MHz";
 const CIRCLES: &str = "twenty circles";
 
 const SERIES: [Series; 9] = [
-    series("brute force (Hall; in fours)", COLORS[6], 5, 180),
-    Series { is_joined: true, ..series("tracking by level N", COLORS[0], 24, 0) },
-    series("tracking, single edges", COLORS[1], 4, 45),
-    series("tracking, exact", COLORS[2], 4, 0),
-    series("tracking, 1 % budget", COLORS[3], 3, 180),
-    Series { is_hollow: true, ..series("brute-force-simd, edges", COLORS[5], 3, 0) },
-    series("brute-force-simd, loops", COLORS[5], 3, 0),
-    Series { is_hollow: true, ..series("cluster-cones, edges", COLORS[4], 6, 0) },
-    series("cluster-cones, loops", COLORS[4], 6, 0),
+    Series::new("brute force (Hall; in fours)", COLORS[6], 5, 180),
+    Series { is_joined: true, ..Series::new("tracking by level N", COLORS[0], 24, 0) },
+    Series::new("tracking, single edges", COLORS[1], 4, 45),
+    Series::new("tracking, exact", COLORS[2], 4, 0),
+    Series::new("tracking, 1 % budget", COLORS[3], 3, 180),
+    Series { is_hollow: true, ..Series::new("brute-force-simd, edges", COLORS[5], 3, 0) },
+    Series::new("brute-force-simd, loops", COLORS[5], 3, 0),
+    Series { is_hollow: true, ..Series::new("cluster-cones, edges", COLORS[4], 6, 0) },
+    Series::new("cluster-cones, loops", COLORS[4], 6, 0),
 ];
-
-const fn series(label: &'static str, color: &'static str, corners: u32, turned_deg: u32) -> Series {
-    Series { label, color, corners, turned_deg, is_hollow: false, is_joined: false }
-}
 
 /// Which of [`SERIES`] a variant belongs to, and what stands beside its mark.
 fn mark(variant: Variant) -> Mark {

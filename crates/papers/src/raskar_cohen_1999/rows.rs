@@ -17,25 +17,21 @@ const PERFORMANCE: &str = "5. Performance";
 /// What the ranges are over.
 const OVER_VIEWS: &str = "twelve views spread evenly";
 
-const fn column(title: &'static str, metric: &'static str, unit: &'static str, meaning: &'static str) -> Column {
-    Column { title, metric, unit, digits: 2, meaning }
-}
-
 const RATE: Column = Column {
     digits: 3,
-    ..column("rate", "frame rate over plain rendering", "×", "frame rate with silhouettes over that without, 0 to 1")
+    ..Column::new("rate", "frame rate over plain rendering", "×", "frame rate with silhouettes over that without")
 };
-const WIDTH: Column = column("width", "mean width", "px", "mean width of the drawn lines where they are drawn");
-const DEVIATION: Column = column("deviation", "deviation of width", "px", "standard deviation of that width");
+const WIDTH: Column = Column::new("width", "mean width", "px", "mean width of the drawn lines where they are drawn");
+const DEVIATION: Column = Column::new("deviation", "deviation of width", "px", "standard deviation of that width");
 const THROUGH: Column =
-    column("through", "shows through", "%", "ink farther than 5 px from every silhouette edge, visible or not");
-const TIME: Column = column(
+    Column::new("through", "shows through", "%", "ink farther than 5 px from every silhouette edge, visible or not");
+const TIME: Column = Column::new(
     "time",
     "frame time over plain rendering",
     "×",
     "median frame time over that of plain rendering of all faces, in the same run",
 );
-const TIME_CULLED: Column = column(
+const TIME_CULLED: Column = Column::new(
     "time, culled",
     "frame time over plain rendering of front faces",
     "×",
@@ -44,15 +40,15 @@ const TIME_CULLED: Column = column(
 const SCORES: [Column; 9] = [
     WIDTH,
     DEVIATION,
-    column("ink/length", "ink over length", "px", "all ink over the length of all visible lines"),
-    column("missed", "missed at 1 px", "%", "visible length without ink within 1 px"),
-    column("spurious", "spurious at 1 px", "%", "ink farther than 1 px from the true pen"),
-    column("stray", "stray", "%", "ink farther than the pen's width and 1 px from every visible line"),
-    column("gaps", "gaps", "per 1000 px", "stretches longer than 1 px without ink"),
+    Column::new("ink/length", "ink over length", "px", "all ink over the length of all visible lines"),
+    Column::new("missed", "missed at 1 px", "%", "visible length without ink within 1 px"),
+    Column::new("spurious", "spurious at 1 px", "%", "ink farther than 1 px from the true pen"),
+    Column::new("stray", "stray", "%", "ink farther than the pen's width and 1 px from every visible line"),
+    Column::new("gaps", "gaps", "per 1000 px", "stretches longer than 1 px without ink"),
     THROUGH,
     Column {
         digits: 0,
-        ..column("farthest", "farthest ink", "px", "distance of the farthest ink from every silhouette edge")
+        ..Column::new("farthest", "farthest ink", "px", "distance of the farthest ink from every silhouette edge")
     },
 ];
 
@@ -178,11 +174,16 @@ fn lost_faces(mesh: &MeshResult) -> Table {
         name: "lost faces",
         subject: mesh.name.clone(),
         columns: vec![
-            column("lost", "front faces lost", "%", "front faces visible at 4096 x 4096 pixels that the picture lacks"),
-            column("unoriented: false", "false ink, unoriented", "%", share),
-            column("lacking", "lacking ink, unoriented", "%", lacking),
-            column("screen: false", "false ink, unoriented, screen", "%", share),
-            column("lacking", "lacking ink, unoriented, screen", "%", lacking),
+            Column::new(
+                "lost",
+                "front faces lost",
+                "%",
+                "front faces visible at 4096 x 4096 pixels that the picture lacks",
+            ),
+            Column::new("unoriented: false", "false ink, unoriented", "%", share),
+            Column::new("lacking", "lacking ink, unoriented", "%", lacking),
+            Column::new("screen: false", "false ink, unoriented, screen", "%", share),
+            Column::new("lacking", "lacking ink, unoriented, screen", "%", lacking),
         ],
         rows: mesh.lost.iter().map(row).collect(),
         ..Table::default()
@@ -190,10 +191,10 @@ fn lost_faces(mesh: &MeshResult) -> Table {
 }
 
 fn spheres(levels: &[Vec<SphereResult>]) -> Table {
-    let far = |title, metric, meaning| Column { digits: 0, ..column(title, metric, "px", meaning) };
+    let far = |title, metric, meaning| Column { digits: 0, ..Column::new(title, metric, "px", meaning) };
     let columns = vec![
-        column("drawn", "ink over outline", "px", "ink over the length of the smooth sphere's outline"),
-        column("derived", "ink over outline, derived", "px", "the same from the geometry, nothing drawn"),
+        Column::new("drawn", "ink over outline", "px", "ink over the length of the smooth sphere's outline"),
+        Column::new("derived", "ink over outline, derived", "px", "the same from the geometry, nothing drawn"),
         far("farthest", "farthest ink outside", "distance of the farthest ink outside of the smooth outline"),
         far("derived", "farthest ink outside, derived", "the same from the geometry, nothing drawn"),
     ];
