@@ -2,8 +2,11 @@
 
 use crate::camera::CameraArguments;
 use crate::lines::LinesArguments;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use silhouette_compare::record::Profile;
+use silhouette_core::method::Source;
+use silhouette_papers::Paper;
 use std::path::PathBuf;
 
 /// Find, draw and compare the silhouettes of triangle meshes.
@@ -62,15 +65,16 @@ pub enum Command {
         silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
         silhouettes compare -o out/builtin")]
     Compare(CompareArguments),
-    /// Measure what a paper printed, and set both side by side: tables, a chart, a page that opens offline
+    /// Measure what a paper printed, and set both side by side: tables, charts, a page that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
         silhouettes reproduce tracking stanford-bunny.obj armadillo.obj cow.obj --profile full -o out/tracking\n  \
         silhouettes reproduce image-precision -o out/image-precision\n  \
         silhouettes reproduce all -o out/papers\n\n\
-        The models of the papers are not part of this program. Without a mesh built-in shapes are taken: for\n\
-        tracking no row then stands beside the paper's, whose bunny is known by its 69451 faces; for image-precision they are\n\
-        as large as the paper's models. With all, each paper has a folder of its own.")]
+        The models of the papers are not part of this program. Without a mesh built-in shapes are measured: for\n\
+        tracking no value then stands beside the paper's, whose bunny is recognised by its 69451 faces; for image-precision\n\
+        they are as large as the paper's models. Values are compared only where model and hardware allow it; elsewhere the\n\
+        tables say why not. With all, each paper is written to a folder of its own.")]
     Reproduce(ReproduceArguments),
 }
 
@@ -173,22 +177,25 @@ pub struct CompareArguments {
     pub output: PathBuf,
 }
 
-/// Which paper's figures are measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum PaperArgument {
-    /// Hall 2003, Silhouette Tracking
-    Tracking,
-    /// Raskar and Cohen 1999, Image precision silhouette edges
-    ImagePrecision,
-    /// Every one of these
-    All,
+/// What stands for every paper.
+pub const EVERY_PAPER: &str = "all";
+
+/// The names that `reproduce` knows: those of the papers, and the one that stands for all.
+fn papers() -> PossibleValuesParser {
+    let paper = |paper: &Paper| {
+        let Source { authors, title, year, .. } = paper.source;
+        PossibleValue::new(paper.name).help(format!("{authors} {year}, {title}"))
+    };
+    let all = PossibleValue::new(EVERY_PAPER).help("Every one of these");
+    PossibleValuesParser::new(silhouette_papers::ALL.into_iter().map(paper).chain([all]))
 }
 
 /// Arguments of `reproduce`.
 #[derive(Debug, Args)]
 pub struct ReproduceArguments {
     /// Whose figures to measure
-    pub paper: PaperArgument,
+    #[arg(value_parser = papers())]
+    pub paper: String,
     /// Mesh files or builtin:NAME [default: built-in shapes]
     pub meshes: Vec<String>,
     /// How much to measure

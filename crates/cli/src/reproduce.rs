@@ -1,69 +1,36 @@
 //! `silhouettes reproduce`: what a paper printed, measured here and set beside it.
 
-use crate::args::{PaperArgument, ReproduceArguments};
-use crate::failure::{self, Failure};
+use crate::args::ReproduceArguments;
+use crate::failure::Failure;
 use crate::input;
 use crate::output::{Output, check_writable};
 use crate::progress::TerminalProgress;
-use silhouette_compare::record::Profile;
-use silhouette_compare::reproduce::{check_target, image_precision, tracking};
-use silhouette_core::method::PrepareError;
+use silhouette_papers::{ALL, Paper, Run, check_target, find, terminal, write};
 use silhouette_render::{AdapterChoice, Gpu};
 use std::path::Path;
 
-/// What is flown around where no mesh is named: bumps that hide and reveal each other.
-const TRACKING_MESHES: [&str; 1] = ["builtin:blob:20000"];
-
-/// What is drawn where no mesh is named: meshes as large as the paper's Venus, Face and machine room.
-const IMAGE_PRECISION_MESHES: [&str; 3] = ["builtin:blob:5672", "builtin:blob:13408", "builtin:machine-room"];
-
-/// Runs the command. All papers are written to a folder each below the one that is named.
+/// Runs the command. Where all papers are meant each paper is written to a folder below the one that is named.
 pub fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
     let directory = &arguments.output;
-    match arguments.paper {
-        PaperArgument::Tracking => run_tracking(arguments, directory),
-        PaperArgument::ImagePrecision => run_image_precision(arguments, directory),
-        PaperArgument::All => {
-            run_tracking(arguments, &directory.join("tracking"))?;
-            run_image_precision(arguments, &directory.join("image-precision"))
-        }
+    match find(&arguments.paper) {
+        Some(paper) => run_paper(paper, arguments, directory),
+        None => ALL.into_iter().try_for_each(|paper| run_paper(paper, arguments, &directory.join(paper.name))),
     }
 }
 
-fn run_tracking(arguments: &ReproduceArguments, directory: &Path) -> Result<(), Failure> {
+fn run_paper(paper: &'static Paper, arguments: &ReproduceArguments, directory: &Path) -> Result<(), Failure> {
     check_target(directory).map_err(Failure::input)?;
     check_writable(directory)?;
     let progress = TerminalProgress::new();
-    let meshes = input::meshes(&arguments.meshes, &TRACKING_MESHES, &progress)?;
-    if arguments.meshes.is_empty() {
-        failure::note("the paper's bunny is not shipped; name its file to have its rows beside the paper's");
-    }
-    let reproduction = tracking::run(arguments.profile.into(), &meshes, &progress).map_err(tracking_failed)?;
-    tracking::write(&reproduction, directory).map_err(Failure::run)?;
-    let mut table = Vec::new();
-    tracking::table::write_table(&reproduction, &mut table).map_err(Failure::run)?;
-    Output::Stdout.write(&table)
-}
-
-fn run_image_precision(arguments: &ReproduceArguments, directory: &Path) -> Result<(), Failure> {
-    check_target(directory).map_err(Failure::input)?;
-    check_writable(directory)?;
-    let progress = TerminalProgress::new();
-    let meshes = input::meshes(&arguments.meshes, &IMAGE_PRECISION_MESHES, &progress)?;
-    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
-    let profile: Profile = arguments.profile.into();
-    let reproduction = image_precision::run(profile, &meshes, &gpu, &progress)
+    let meshes = input::meshes(&arguments.meshes, paper.default_meshes, &progress)?;
+    let open = || AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu);
+    let gpu = paper.needs_gpu.then(open).transpose()?;
+    let run = Run { profile: arguments.profile.into(), meshes: &meshes, gpu: gpu.as_ref(), progress: &progress };
+    let reproduction = paper
+        .reproduce(&run)
         .map_err(|error| if error.is_of_input() { Failure::input(error) } else { Failure::run(error) })?;
-    image_precision::write(&reproduction, directory).map_err(Failure::run)?;
-    let mut table = Vec::new();
-    image_precision::table::write_table(&reproduction, &mut table).map_err(Failure::run)?;
-    Output::Stdout.write(&table)
-}
-
-fn tracking_failed(error: tracking::ReproduceError) -> Failure {
-    use tracking::ReproduceError::{EmptyMesh, NoMesh, Prepare};
-    match error {
-        input @ (NoMesh | EmptyMesh { .. } | Prepare { source: PrepareError::Mesh(_), .. }) => Failure::input(input),
-        other => Failure::run(other),
-    }
+    write(&reproduction, directory).map_err(Failure::run)?;
+    let mut tables = Vec::new();
+    terminal::write_tables(&reproduction, &mut tables).map_err(Failure::run)?;
+    Output::Stdout.write(&tables)
 }

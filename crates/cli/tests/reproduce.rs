@@ -19,7 +19,7 @@ fn tables_chart_and_page_of_built_in_meshes() {
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let table = String::from_utf8(output.stdout).unwrap();
         for mesh in meshes {
-            assert!(table.contains(&format!("\n{mesh}: ")), "{table}");
+            assert!(table.contains(&format!("\n{mesh}: Performance (")), "{table}");
         }
         assert_eq!(table.matches("\ntracking, exact ").count(), meshes.len(), "{table}");
     }
@@ -30,12 +30,22 @@ fn tables_chart_and_page_of_built_in_meshes() {
     };
     assert!(find("builtin:torus, tracking, N = 0.1", "speed-up, counted")["ours"].as_f64().unwrap() >= 1.0);
     assert_eq!(find("builtin:torus, tracking, exact", "edges missed")["ours"], 0.0);
-    let alien = find("Alien, tracking, N = 1", "speed-up, wall time");
+    let alien = find("Alien, tracking, N = 1", "speed-up, counted");
     assert_eq!((&alien["paper"], &alien["ours"], &alien["ratio"]), (&Value::from(3.54), &Value::Null, &Value::Null));
-    assert!(fs::read_to_string(target.join("trade.svg")).unwrap().contains("builtin:torus, "));
+    assert_eq!(alien["comparable"], false);
+    assert!(fs::read_to_string(target.join("trade.svg")).unwrap().contains("builtin:torus"));
     let page = fs::read_to_string(target.join("index.html")).unwrap();
     assert!(page.contains("builtin:torus") && !page.contains("builtin:cube"), "the first run is replaced");
     assert_eq!(fs::read_dir(target.parent().unwrap()).unwrap().count(), 1, "nothing is left beside it");
+}
+
+#[test]
+fn names_of_papers_are_listed_where_one_is_unknown() {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_silhouettes")).args(["reproduce", "nonsense", "-o", "x"]).output().unwrap();
+    let line = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), line.lines().count()), (Some(2), 1), "{line}");
+    assert!(["nonsense", "tracking", "image-precision", "all"].iter().all(|name| line.contains(name)), "{line}");
 }
 
 #[test]
@@ -78,12 +88,13 @@ fn image_precision_has_its_own_tables_and_needs_an_adapter() {
     let done = run("any");
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let table = String::from_utf8(done.stdout).unwrap();
-    assert!(table.contains("\nbuiltin:cube: 12 faces") && table.matches("\nscreen ").count() == 5, "{table}");
+    assert!(table.contains("\nbuiltin:cube: pictures (12 faces") && table.matches("\nscreen ").count() == 2, "{table}");
     let rows = fs::read_to_string(target.join("tables.jsonl")).unwrap();
     let rows: Vec<Value> = rows.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let missed = rows.iter().find(|row| row["row"] == "builtin:cube, screen" && row["metric"] == "missed at 1 px");
     assert_eq!(missed.unwrap()["ours"], 0.0);
-    let printed = rows.iter().find(|row| row["row"] == "AMR, wireframe").unwrap();
+    let printed = rows.iter().find(|row| row["row"] == "AMR (252000 triangles), wireframe").unwrap();
     assert!((printed["paper"].as_f64().unwrap() - 0.7).abs() < 1e-12 && printed["ours"].is_null(), "{printed}");
+    assert_eq!((&printed["comparable"], &printed["ratio"]), (&Value::from(false), &Value::Null));
     assert!(fs::read_to_string(target.join("index.html")).unwrap().contains("builtin:cube"));
 }

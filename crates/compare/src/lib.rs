@@ -12,7 +12,7 @@
 //! 7. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
 //! 8. [`report`]: files for people and programs.
 //!
-//! [`reproduce`] sets figures that papers print beside ours. [`plot`]: what charts as SVG are made of.
+//! [`plot`]: what charts as SVG are made of.
 //! [`result_directory`]: how directories of results are written.
 //!
 //! ```no_run
@@ -42,7 +42,6 @@ pub mod plot;
 pub mod record;
 pub mod registry;
 pub mod report;
-pub mod reproduce;
 pub mod result_directory;
 pub mod runner;
 pub mod scaling;

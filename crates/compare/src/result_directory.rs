@@ -135,7 +135,7 @@ fn at(path: &Path) -> impl Fn(io::Error) -> DirectoryError {
 }
 
 /// A directory under construction beside its final place; removed again unless [`commit`](Self::commit) is called.
-pub(crate) struct StagedDirectory {
+pub struct StagedDirectory {
     kind: DirectoryKind,
     target: PathBuf,
     staging: PathBuf,
@@ -144,6 +144,9 @@ pub(crate) struct StagedDirectory {
 
 impl StagedDirectory {
     /// Creates the directory beside `target`, whose parents are created where they are missing.
+    ///
+    /// # Errors
+    /// [`DirectoryError`]: something is in the way of `target`, or the directory cannot be created.
     pub fn begin(target: &Path, kind: DirectoryKind) -> Result<Self, DirectoryError> {
         examine(target, kind)?;
         let staging = beside(target, "partial");
@@ -155,6 +158,9 @@ impl StagedDirectory {
     }
 
     /// Where to write the file that will be at this path, `/` between parts, in the finished directory.
+    ///
+    /// # Errors
+    /// [`DirectoryError::Io`]: a folder of that path cannot be created.
     pub fn file(&mut self, name: &str) -> Result<PathBuf, DirectoryError> {
         let path = self.staging.join(name);
         if let Some(parent) = path.parent() {
@@ -166,6 +172,9 @@ impl StagedDirectory {
 
     /// Puts the directory in its place. An earlier one is moved aside first and removed afterwards, file by file as its
     /// own manifest lists them.
+    ///
+    /// # Errors
+    /// [`DirectoryError`]; what was at the place before is still there.
     pub fn commit(mut self) -> Result<(), DirectoryError> {
         let manifest =
             Manifest { version: env!("CARGO_PKG_VERSION").to_owned(), files: std::mem::take(&mut self.files) };

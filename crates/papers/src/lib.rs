@@ -1,0 +1,71 @@
+//! Papers on silhouettes, measured again: what each prints beside what this workspace measures.
+//!
+//! ```no_run
+//! use silhouette_compare::{NamedMesh, Profile};
+//! use silhouette_core::{NoProgress, PreparedMesh, shapes};
+//! use silhouette_papers::{Run, find, write};
+//! use std::sync::Arc;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let mesh = Arc::new(PreparedMesh::new(shapes::by_name("blob:20000")?));
+//! let meshes = [NamedMesh { name: "blob".to_owned(), mesh }];
+//! let run = Run { profile: Profile::Quick, meshes: &meshes, gpu: None, progress: &NoProgress };
+//! let reproduction = find("tracking").expect("Hall 2003 is in the list").reproduce(&run)?;
+//! write(&reproduction, "out".as_ref())?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Adding a paper
+//! A paper is one folder and one line of [`ALL`]. Its folder holds the printed numbers, the variants, the measurement, and
+//! the [`Table`]s that it fills; it exports one [`Paper`]. Everything else is derived from the tables here:
+//!
+//! 1. [`table`]: columns, rows, and cells with our value, the paper's, and whether the two are [`Comparable`].
+//! 2. [`figure`]: each cell as rows of `tables.jsonl`.
+//! 3. [`terminal`]: the tables as text. [`chart`]: the tables as SVG. [`page`]: all of it for a browser.
+//! 4. [`files`]: a directory that appears as a whole.
+//!
+//! [`paper`]: what a paper supplies, what it gets for a run, and what the run yields. [`error`]: how a run fails.
+
+pub mod chart;
+pub mod error;
+pub mod figure;
+pub mod files;
+pub mod hall_2003;
+pub mod page;
+pub mod paper;
+pub mod raskar_cohen_1999;
+pub mod table;
+pub mod terminal;
+
+pub use error::{Cause, PaperError};
+pub use figure::Figure;
+pub use files::{WriteError, check_target, write};
+pub use paper::{Measured, Paper, Reproduction, Run};
+pub use table::{Cell, Column, Comparable, Range, Row, Table};
+
+/// Every paper, in the order of publication. To add one, add a line.
+pub static ALL: [&Paper; 2] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER];
+
+/// The paper of this [name](Paper::name).
+pub fn find(name: &str) -> Option<&'static Paper> {
+    ALL.into_iter().find(|paper| paper.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::shapes;
+
+    #[test]
+    fn papers_are_found_by_unique_names_and_have_meshes_to_fall_back_on() {
+        for paper in ALL {
+            assert!(std::ptr::eq(find(paper.name).unwrap(), paper), "{}", paper.name);
+            assert!(!paper.default_meshes.is_empty());
+            for name in paper.default_meshes {
+                assert!(shapes::by_name(name.strip_prefix("builtin:").unwrap()).is_ok(), "{name}");
+            }
+        }
+        assert!(find("all").is_none(), "the command line's word for every paper");
+    }
+}
