@@ -83,6 +83,11 @@ impl Ink {
         self.coverage(x, y) >= INK_THRESHOLD
     }
 
+    /// Coverage of each pixel, row by row.
+    pub fn coverages(&self) -> &[f32] {
+        &self.coverage
+    }
+
     /// Which pixels count as ink, row by row.
     pub fn mask(&self) -> Vec<bool> {
         self.coverage.iter().map(|&coverage| coverage >= INK_THRESHOLD).collect()

@@ -11,7 +11,7 @@
 
 use super::coverage::CoverageRows;
 use super::visible::VisibleLine;
-use crate::metrics::Ink;
+use crate::metrics::ink::Ink;
 use glam::DVec2;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{Overlay, ShapeType};
@@ -234,11 +234,11 @@ mod tests {
     }
 
     #[test]
-    fn lines_beyond_the_border_and_pens_without_width_do_no_harm() {
+    fn lines_beyond_the_frame_and_pens_without_width_do_no_harm() {
         let through = line(&[(-20.0, 20.0), (70.0, 20.0)], false);
-        let at_the_border = line(&[(0.0, 0.0), (40.0, 0.0), (40.0, 40.0)], false);
+        let at_the_frame = line(&[(0.0, 0.0), (40.0, 0.0), (40.0, 40.0)], false);
         assert!((area(&[through], pen(PenPlacement::Centred)) - 120.0).abs() < 1e-3);
-        assert!((area(&[at_the_border], pen(PenPlacement::Centred)) - (60.0 + 60.0 - 2.25)).abs() < 1e-3);
+        assert!((area(&[at_the_frame], pen(PenPlacement::Centred)) - (60.0 + 60.0 - 2.25)).abs() < 1e-3);
         let thin = Pen { width_px: 0.0, placement: PenPlacement::Centred };
         assert!(area(&[line(&[(5.0, 5.0), (9.0, 7.0)], false)], thin).abs() < 1e-9);
         assert!(area(&[], pen(PenPlacement::Centred)).abs() < 1e-12);
