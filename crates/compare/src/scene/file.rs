@@ -10,7 +10,7 @@ use std::path::Path;
 pub const MAX_BYTES: u64 = 1 << 20;
 
 impl Scene {
-    /// Reads and checks a file. Methods and options are looked up later, by
+    /// Reads and checks a file; paths of meshes in it are relative to its folder. Methods and options are looked up later, by
     /// [`choices`](super::cells::choices).
     ///
     /// # Errors
@@ -18,7 +18,10 @@ impl Scene {
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let text = read(path).map_err(|fault| fault.in_file(path))?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Self::parse(&text, name).map_err(|fault| fault.in_file(path))
+        let mut scene = Self::parse(&text, name).map_err(|fault| fault.in_file(path))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        scene.meshes = scene.meshes.into_iter().map(|mesh| mesh.relative_to(folder)).collect();
+        Ok(scene)
     }
 
     /// Parses and checks the text of a file.
@@ -86,6 +89,20 @@ mod tests {
         // What is written into results can be read again.
         let written = toml::to_string(&scene).unwrap().replace("name = \"mine\"\n", "");
         assert_eq!(Scene::parse(&written, "mine".to_owned()).unwrap(), scene, "{written}");
+    }
+
+    #[test]
+    fn paths_are_relative_to_the_file() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("mine.toml");
+        let meshes = "meshes = [\"builtin:cube\", \"/a.obj\", { mesh = \"b.obj\", truth = \"c/d.obj\" }]";
+        let rest = QUICK.lines().filter(|line| !line.starts_with("meshes")).collect::<Vec<_>>().join("\n");
+        std::fs::write(&path, format!("{meshes}\n{rest}")).unwrap();
+        let scene = Scene::load(&path).unwrap();
+        let beside = |name: &str| dir.path().join(name).to_string_lossy().into_owned();
+        let names: Vec<&str> = scene.meshes.iter().map(MeshSpec::mesh).collect();
+        assert_eq!(names, ["builtin:cube", "/a.obj", &beside("b.obj")]);
+        assert_eq!(scene.meshes[2].truth(), Some(beside("c/d.obj").as_str()));
     }
 
     #[test]

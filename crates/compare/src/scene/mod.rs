@@ -15,5 +15,5 @@ pub mod profile;
 
 pub use cells::MethodChoice;
 pub use error::{SceneError, SceneFault};
-pub use model::{MeshSpec, MethodSpec, OptionSpread, PathKind, PathSpec, PenSpec, PictureSpec, ProjectionKind, Scene};
+pub use model::{BUILTIN, MeshSpec, MethodSpec, OptionSpread, PathKind, PathSpec, PenSpec, PictureSpec, ProjectionKind, Scene};
 pub use profile::Profile;

@@ -5,6 +5,7 @@ use crate::options::OptionSetting;
 use serde::{Deserialize, Serialize};
 use silhouette_core::view::Framing;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// What is compared, seen how, measured how thoroughly.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -28,6 +29,9 @@ pub struct Scene {
     pub methods: Vec<MethodSpec>,
 }
 
+/// What the names of built-in shapes begin with, where a mesh is named.
+pub const BUILTIN: &str = "builtin:";
+
 /// A mesh of a scene: a file, or `builtin:NAME`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged, expecting = "a mesh, or { mesh = \"coarse.obj\", truth = \"fine.obj\" }")]
@@ -48,6 +52,18 @@ impl MeshSpec {
     pub fn mesh(&self) -> &str {
         match self {
             Self::Plain(mesh) | Self::WithTruth { mesh, .. } => mesh,
+        }
+    }
+
+    /// The same with paths taken as relative to a folder; names of built-in shapes and absolute paths stay as they are.
+    pub fn relative_to(self, folder: &Path) -> Self {
+        let placed = |name: String| {
+            let is_file = !name.starts_with(BUILTIN);
+            if is_file { folder.join(name).to_string_lossy().into_owned() } else { name }
+        };
+        match self {
+            Self::Plain(mesh) => Self::Plain(placed(mesh)),
+            Self::WithTruth { mesh, truth } => Self::WithTruth { mesh: placed(mesh), truth: placed(truth) },
         }
     }
 
