@@ -53,7 +53,9 @@ fn config(arguments: &CompareArguments) -> Result<CompareConfig, Failure> {
         scene.meshes = arguments.meshes.iter().cloned().map(MeshSpec::Plain).collect();
     }
     if scene.meshes.is_empty() {
-        return Err(Failure::Input(format!("{place}: meshes: none is listed; name one in the scene or as an argument")));
+        return Err(Failure::Input(format!(
+            "{place}: meshes: none is listed; name one in the scene or as an argument"
+        )));
     }
     CompareConfig::new(scene).map_err(|fault| Failure::input(fault.in_scene(place)))
 }

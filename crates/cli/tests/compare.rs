@@ -91,7 +91,10 @@ fn bad_scenes_are_refused_with_file_key_and_mend() {
     };
     assert!(changed("swing-deg", "swing").contains("line 9: swing: unknown field `swing`, expected one of `kind`"));
     assert!(changed("frames = 4", "frames = 0").contains("path.frames = 0 does not fit: 1 to 100000"));
-    assert!(changed("scored = 2", "scored = 5").contains("path.scored = 5 does not fit: at least 1 and at most path.frames"));
+    assert!(
+        changed("scored = 2", "scored = 5")
+            .contains("path.scored = 5 does not fit: at least 1 and at most path.frames")
+    );
     assert!(changed("width = 64", "width = 64000").contains("picture.width = 64000 does not fit: 16 to 4096"));
     assert!(changed("\"brute-force\"", "\"brute-farce\"").contains("there is no method 'brute-farce'; there are"));
     assert!(changed("concavity = [0, 0.5]", "level = 1").contains("tracking: there is no option 'level'"));

@@ -8,7 +8,8 @@
 //! 3. [`camera_path`]: views around a mesh.
 //! 4. [`truth`]: the true visible lines of a view, and its true filled picture.
 //! 5. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames.
-//! 6. [`runner`]: methods with their options x meshes, along one path; yields [`record`]s. [`machine`]: where they were made.
+//! 6. [`runner`]: methods with their options x meshes, along one path; yields [cells](record::Cell). [`machine`]: where they
+//!    were made.
 //! 7. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
 //! 8. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
 //! 9. [`report`]: files for people and programs.

@@ -1,6 +1,6 @@
 //! What a supersampled depth picture decides in place of exact visibility, and how often it is wrong.
 //!
-//! A depth buffer knows one depth a sample, and a visible contour lies between two samples of which either may show what it
+//! A depth buffer holds one depth per sample, and a visible contour lies between two samples of which either may show what it
 //! bounds. So a line counts as visible where the sample beside it lets it through, and with it count all hidden lines that run
 //! within a sample of the contour that hides them. The silhouette of a fine mesh is full of such lines: its contour edges zigzag
 //! over each other, hidden and visible by turns, within a fraction of a pixel.

@@ -2,8 +2,8 @@
 //! `cargo run --release --example visible_lines -- MESH...`
 //!
 //! Each mesh is seen in six views around it at 512 x 512 pixels. Times are the best of three, and of them the median over
-//! the views. Disagreements are shares of length in pixels, over all views: a depth picture of 4 x 4 samples a pixel against
-//! the exact decision on every silhouette edge, visible or hidden; the quick mode's lines, from ids at 1 and 2 pixels a
+//! the views. Disagreements are shares of length in pixels, over all views: a depth picture of 4 x 4 samples per pixel against
+//! the exact decision on every silhouette edge, visible or hidden; the quick mode's lines, from ids at 1 and 2 pixels per
 //! pixel, against the exact ones.
 
 mod depth_buffer;

@@ -64,7 +64,7 @@ mod tests {
 
     #[test]
     fn moving_a_disc_lowers_the_ratio() {
-        let at = |x: f64| picture(disc(DVec2::new(x, 32.0), 20.0));
+        let at = |x: f64| picture(&disc(DVec2::new(x, 32.0), 20.0));
         let ratios = [0.0, 0.5, 2.0, 8.0].map(|shift| psnr_db(&at(32.0 + shift), &at(32.0)));
         assert!(ratios.windows(2).all(|pair| pair[0] > pair[1] + 1.0), "{ratios:?}");
     }
@@ -72,7 +72,7 @@ mod tests {
     #[cfg(feature = "flip")]
     #[test]
     fn moving_a_disc_raises_flip() {
-        let at = |x: f64| picture(disc(DVec2::new(x, 32.0), 20.0));
+        let at = |x: f64| picture(&disc(DVec2::new(x, 32.0), 20.0));
         let errors = [0.0, 0.5, 2.0, 8.0].map(|shift| flip(&at(32.0 + shift), &at(32.0)).unwrap());
         assert!(errors[0].abs() < 1e-6 && errors.windows(2).all(|pair| pair[0] < pair[1]), "{errors:?}");
         let worst = flip(&flat([0, 0, 0, 255]), &flat([0; 4])).unwrap();

@@ -94,7 +94,7 @@ mod tests {
 
     #[test]
     fn every_metric_of_every_empty_combination_is_finite() {
-        let (full, blank) = (picture(disc(DVec2::splat(32.0), 20.0)), picture(Ink::blank(SIZE, SIZE)));
+        let (full, blank) = (picture(&disc(DVec2::splat(32.0), 20.0)), picture(&Ink::blank(SIZE, SIZE)));
         for drawn in [&full, &blank] {
             for truth in [&full, &blank] {
                 let metrics = serde_json::to_value(measure_fill(drawn, truth)).unwrap();

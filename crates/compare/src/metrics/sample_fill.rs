@@ -31,7 +31,7 @@ pub fn square(corner: DVec2, side: f64) -> Ink {
 }
 
 /// A shape in mid grey.
-pub fn picture(coverage: Ink) -> FilledPicture {
+pub fn picture(coverage: &Ink) -> FilledPicture {
     let bytes = |&coverage: &f32| [coverage * 128.0, coverage * 128.0, coverage * 128.0, coverage * 255.0];
     let rgba = coverage.coverages().iter().flat_map(bytes).map(|byte| byte.round() as u8).collect();
     FilledPicture::new(Image { width: SIZE, height: SIZE, rgba })

@@ -3,7 +3,7 @@
 use super::distance_transform::distance_transform;
 use super::ink::Ink;
 
-/// Share of the distances that [`Separation::hausdorff_95_px`] stays above: the farthest 5 % are left out, so that a
+/// Share of the distances that [`Separation::hausdorff_95_px`] is not exceeded by: the farthest 5 % are excluded, so that a
 /// single stray pixel does not decide.
 pub const HAUSDORFF_SHARE: f64 = 0.95;
 

@@ -1,4 +1,4 @@
-//! How much of the truth is missed, and how much ink has no business being there.
+//! How much of the truth is missed, and how much ink is spurious.
 
 use super::ink::Ink;
 use crate::truth::samples::TrueLines;

@@ -341,7 +341,7 @@ mod tests {
         let sample = sample_lines::crossing_lines();
         let pen = lines::TruePen { picture: &sample.pen, width_px: sample_lines::PEN_PX };
         let line_metrics = PictureMetrics::Lines(lines::measure(&sample.pen, &sample.lines, pen));
-        let disc = sample_fill::picture(sample_fill::disc(glam::DVec2::splat(32.0), 20.0));
+        let disc = sample_fill::picture(&sample_fill::disc(glam::DVec2::splat(32.0), 20.0));
         let fill_metrics = PictureMetrics::Fill(fill::measure_fill(&disc, &disc));
         for metrics in [line_metrics, fill_metrics] {
             for metric in metrics.kind().metrics().filter(|metric| metric.better == Better::Lower) {

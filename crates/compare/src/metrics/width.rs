@@ -16,8 +16,7 @@ const STEP_PX: f64 = 0.125;
 /// straight profile does not measure. Half a pixel more than what rasterisation moves a line by.
 const STRAIGHT_PX: f64 = 1.0;
 
-/// Every how many samples (a quarter of a pixel apart) a profile is taken: one a pixel; closer profiles see the same
-/// pixels again.
+/// One profile per this many samples, which are a quarter of a pixel apart: closer profiles see the same pixels again.
 const STRIDE: usize = 4;
 
 /// Width of the drawn lines.

@@ -17,8 +17,6 @@ mod page;
 mod summary;
 
 pub use chart::COLORS;
-pub use measure::Measure;
-pub use summary::{CellSummary, MeshSummary, summarise};
 
 use crate::machine::RunDescription;
 use crate::record::Cell;

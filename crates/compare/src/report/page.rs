@@ -29,7 +29,7 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         scene => &scene.name,
         size => scene.picture.size(),
         samples => scene.picture.samples,
-        step => scene.path.step_deg,
+        step => scene.path.step_deg.to_string(),
         scored => scene.path.scored,
         frames => scene.path.frames,
         warm_up => scene.path.warm_up,

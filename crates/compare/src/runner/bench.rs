@@ -34,9 +34,6 @@ pub(super) struct Bench<'a> {
     truths: Truths<'a>,
 }
 
-/// The scored frame of which the report shows pictures: every scene has a first one.
-const PICTURED: usize = 0;
-
 impl<'a> Bench<'a> {
     /// Finds the truth of every scored frame.
     pub fn new(
@@ -115,16 +112,19 @@ impl<'a> Bench<'a> {
             })?;
         let score = |(view, frame): (usize, &ScoredFrame)| self.truths.score(view, output, &frame.picture);
         let scores: Vec<Scored> = followed.scored.par_iter().enumerate().map(score).collect();
-        let views: Vec<View> = (0..scores.len()).map(|view| self.view(view, &followed, &scores[view])).collect();
+        let view = |at: usize| self.view(at, output, &followed, &scores[at]);
+        let views: Vec<View> = (0..scores.len()).map(view).collect();
 
         let warm_up = self.scene.path.warm_up;
-        let [drawn, truth, difference] = scores[PICTURED].pictures.clone();
+        // By the last scored frame a method that keeps state has had time to lose something.
+        let pictured = views.len() - 1;
+        let [drawn, truth, difference] = scores[pictured].pictures.clone();
         let pictures = PictureSet {
             mesh: mesh.clone(),
             method: method.to_owned(),
             options: options.clone(),
             picture: output.kind(),
-            frame: views[PICTURED].frame,
+            frame: views[pictured].frame,
             drawn,
             truth,
             difference,
@@ -148,7 +148,7 @@ impl<'a> Bench<'a> {
         Ok((cell, pictures))
     }
 
-    fn view(&self, view: usize, followed: &Followed, scored: &Scored) -> View {
+    fn view(&self, view: usize, output: Output, followed: &Followed, scored: &Scored) -> View {
         let frame = &followed.scored[view];
         let sample = &followed.samples[frame.index];
         View {
@@ -156,7 +156,7 @@ impl<'a> Bench<'a> {
             camera: CameraRecord::from(&self.cameras[frame.index]),
             frame_ms: sample.frame_ms,
             extract_ms: sample.extraction.map(|extraction| extraction.extract_ms),
-            truth: self.truths.record(view),
+            truth: self.truths.record(view, output),
             edges: frame.edges.as_ref().map(|found| self.truths.score_edges(view, found)),
             metrics: scored.metrics,
         }

@@ -46,7 +46,7 @@ impl std::fmt::Display for LeftOut {
     }
 }
 
-/// Pictures of one scored frame of a cell.
+/// Pictures of the last scored frame of a cell.
 #[derive(Debug, Clone)]
 pub struct PictureSet {
     /// Name of the mesh.

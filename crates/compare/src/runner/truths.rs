@@ -89,14 +89,14 @@ impl<'a> Truths<'a> {
         Ok(())
     }
 
-    /// The truth of a view as results state it; the area only of views whose filled picture is there.
-    pub fn record(&self, view: usize) -> TruthRecord {
+    /// The truth of a view as results state it for pictures of this kind.
+    pub fn record(&self, view: usize, output: Output) -> TruthRecord {
         let area = |fill: &FilledPicture| fill.coverage().coverages().iter().map(|&share| f64::from(share)).sum();
         let truth = &self.views[view];
         TruthRecord {
             silhouette_edges: truth.edges.len(),
             visible_length_px: truth.lines.total_length_px(),
-            area_px: self.fills.get(view).map(area),
+            area_px: self.fills.get(view).filter(|_| output == Output::Fill).map(area),
         }
     }
 

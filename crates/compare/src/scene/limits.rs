@@ -87,7 +87,8 @@ mod tests {
             change(&mut scene);
             scene.check().unwrap_err().to_string()
         };
-        let cases: [(&dyn Fn(&mut Scene), &str); 13] = [
+        type Change<'a> = &'a dyn Fn(&mut Scene);
+        let cases: [(Change<'_>, &str); 13] = [
             (&|s| s.picture.width = 15, "picture.width = 15 does not fit: 16 to 4096"),
             (&|s| s.picture.height = 4097, "picture.height = 4097"),
             (&|s| s.picture.samples = 2, "picture.samples = 2 does not fit: 1 or 4"),

@@ -126,7 +126,7 @@ impl TruthFinder {
         Ok((edges, visible))
     }
 
-    /// Exact lines of a view, whichever are asked for.
+    /// Exact lines of a view, of the kinds that `options` selects.
     ///
     /// # Errors
     /// [`TruthError::Lines`].

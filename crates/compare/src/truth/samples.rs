@@ -40,7 +40,7 @@ pub struct TrueLines {
 }
 
 impl TrueLines {
-    /// Samples of lines, a run each; none of a line without length. O(length in pixels + segments).
+    /// Samples of lines, one run per line; none for a line without length. O(length in pixels + segments).
     pub fn of(lines: &[VisibleLine]) -> Self {
         let mut sampled = Self::default();
         for line in lines {
