@@ -1,6 +1,6 @@
 //! How much the colours of two pictures differ.
 
-use super::fill::FilledPicture;
+use super::filled_picture::FilledPicture;
 
 /// Peak signal-to-noise ratio in dB over white paper, from 0 (black against white) up; all pixels and the three colours
 /// count the same. Pictures that do not differ at all have the ratio of pictures in which one byte differs by one, so that

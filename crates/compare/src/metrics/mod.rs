@@ -9,7 +9,7 @@
 //! 4. [`width`]: how wide lines are drawn, and how evenly.
 //! 5. [`gaps`]: how often a line is interrupted.
 //!
-//! Filled pictures ([`fill`]):
+//! Filled pictures ([`fill`]), with coverage as their alpha channel ([`filled_picture`]):
 //!
 //! 1. [`area`]: what is covered by one of picture and truth, but not by both.
 //! 2. [`boundary`]: how far their boundaries lie apart.
@@ -23,6 +23,7 @@ pub mod boundary;
 pub mod color;
 pub mod distance_transform;
 pub mod fill;
+pub mod filled_picture;
 pub mod gaps;
 pub mod holes;
 pub mod ink;
@@ -36,7 +37,8 @@ pub mod share;
 pub mod table;
 pub mod width;
 
-pub use fill::{FillMetrics, FilledPicture, measure_fill};
+pub use fill::{FillMetrics, measure_fill};
+pub use filled_picture::FilledPicture;
 pub use ink::Ink;
 pub use lines::{LineMetrics, TruePen, measure};
 pub use table::{Better, METRICS, MetricSpec, PictureKind, PictureMetrics, find};

@@ -1,6 +1,6 @@
 //! Filled shapes drawn by arithmetic for the tests of metrics.
 
-use super::fill::FilledPicture;
+use super::filled_picture::FilledPicture;
 use super::ink::Ink;
 use glam::DVec2;
 use silhouette_render::Image;

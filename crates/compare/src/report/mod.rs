@@ -22,7 +22,7 @@ use crate::machine::RunDescription;
 use crate::record::Cell;
 use crate::record::flat::Table;
 use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
-use crate::runner::{Comparison, LeftOut, PictureSet};
+use crate::runner::{Comparison, LeftOut};
 use crate::scaling::{ExtractionRow, rows_of_cells, write_rows};
 use crate::scene::Scene;
 use serde::Serialize;
@@ -86,7 +86,7 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     let extractions = [own, comparison.peers.clone()].concat();
     write_extractions(&extractions, &staged.file("extraction.jsonl")?)?;
     for (index, set) in comparison.pictures.iter().enumerate() {
-        for (name, picture) in picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
+        for (name, picture) in page::picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
             picture.save_png(&staged.file(name)?)?;
         }
     }
@@ -95,11 +95,6 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     std::fs::write(&path, page).map_err(|source| ReportError::Io { path, source })?;
     staged.commit()?;
     Ok(directory.join("index.html"))
-}
-
-/// Paths of a set's pictures inside of the report. They hold no text of a user's.
-fn picture_names(index: usize, set: &PictureSet) -> [String; 3] {
-    ["drawn", "truth", "difference"].map(|what| format!("images/{index:03}-{}-{what}.png", set.method))
 }
 
 /// What all results of a run have in common.
@@ -150,6 +145,7 @@ mod tests {
     use crate::metrics::PictureKind;
     use crate::options::OptionSettings;
     use crate::record::tests as sample;
+    use crate::runner::PictureSet;
     use crate::scaling::{read_rows, row};
     use crate::scene::Profile;
     use silhouette_render::Image;

@@ -2,7 +2,6 @@
 
 use super::chart::{self, COLORS};
 use super::extraction_chart;
-use super::picture_names;
 use super::summary::{CellSummary, MeshSummary, baseline, summarise};
 use crate::metrics::PictureKind;
 use crate::metrics::table::{Better, MetricSpec};
@@ -43,6 +42,11 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         metrics => kinds.flat_map(PictureKind::metrics).map(metric_row).collect::<Vec<_>>(),
         chart_script => Value::from_safe_string(chart::script()),
     })
+}
+
+/// Paths of a set's pictures inside of the report. They hold no text of a user's.
+pub(super) fn picture_names(index: usize, set: &PictureSet) -> [String; 3] {
+    ["drawn", "truth", "difference"].map(|what| format!("images/{index:03}-{}-{what}.png", set.method))
 }
 
 /// Which series of the page a cell is: one for each method with its options, whatever the mesh.

@@ -3,7 +3,8 @@
 use super::error::CompareError;
 use super::frame_source::Output;
 use super::subject::Subject;
-use crate::metrics::fill::{FilledPicture, measure_fill};
+use crate::metrics::fill::measure_fill;
+use crate::metrics::filled_picture::FilledPicture;
 use crate::metrics::lines::{TruePen, measure};
 use crate::metrics::{Ink, PictureMetrics};
 use crate::picture::difference;

@@ -1,6 +1,6 @@
 //! [`FillTruth`]: the truth of filled pictures, the fine mesh drawn at 16 samples per pixel.
 
-use crate::metrics::fill::FilledPicture;
+use crate::metrics::filled_picture::FilledPicture;
 use silhouette_core::TriangleMesh;
 use silhouette_core::view::Camera;
 use silhouette_gpu::{MeshBuffers, MeshTooLarge};
