@@ -4,10 +4,10 @@
 use crate::zoo::{self, Random};
 use glam::Vec3;
 use num_bigint::{BigInt, Sign};
-use silhouette_compare::registry::{self, EdgeMethod, Prepared};
+use silhouette_compare::registry::Registry;
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::shapes::by_name;
-use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{ExtractsEdges, NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
 use std::sync::Arc;
 
 const RANDOM_VIEWS: usize = 10_000;
@@ -43,7 +43,7 @@ struct Case {
     topology: Arc<Topology>,
     /// Normal and first corner of each face.
     planes: Vec<(Point, Point)>,
-    methods: Vec<(&'static str, Box<dyn EdgeMethod>)>,
+    methods: Vec<(&'static str, Box<dyn ExtractsEdges>)>,
 }
 
 impl Case {
@@ -53,14 +53,14 @@ impl Case {
             let [a, b, c] = triangle.map(|vertex| point(mesh.positions()[vertex as usize]));
             (cross(&sub(&b, &a), &sub(&c, &a)), a)
         });
-        let methods = registry::all().iter().filter(|entry| entry.info.exact).filter_map(|entry| {
-            let options = OptionValues::defaults(entry.info.options);
-            match entry.prepare(&prepared, &options, &NoProgress) {
-                Ok(Prepared::Edges(method)) => Some((entry.info.name, method)),
-                Ok(Prepared::Lines(_)) => panic!("{} is exact, so it yields edges", entry.info.name),
+        let registry = Registry::builtin();
+        let methods = registry.entries().iter().filter(|entry| entry.info().exact).filter_map(|entry| {
+            let info = entry.info();
+            match entry.prepare(&prepared, &OptionValues::defaults(info.options), &NoProgress) {
+                Ok(prepared) => Some((info.name, prepared.into_edges().expect("exact methods yield edges"))),
                 // Not defined for this mesh.
                 Err(PrepareError::Mesh(_)) => None,
-                Err(error) => panic!("{}: {error}", entry.info.name),
+                Err(error) => panic!("{}: {error}", info.name),
             }
         });
         let (planes, methods) = (planes.collect(), methods.collect());

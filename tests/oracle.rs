@@ -3,7 +3,7 @@
 use crate::zoo;
 use glam::Vec3;
 use proptest::prelude::*;
-use silhouette_compare::registry::{self, Prepared};
+use silhouette_compare::registry::Registry;
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, VertexId, Viewpoint};
 use std::collections::BTreeMap;
@@ -40,14 +40,15 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
     let prepared = Arc::new(PreparedMesh::new(mesh));
     let topology = prepared.artefact::<Topology>("oracle", &NoProgress).unwrap();
     let integers: Vec<Integers> = points.iter().map(|p| p.map(i128::from)).collect();
-    for entry in registry::all() {
-        let options = OptionValues::defaults(entry.info.options);
-        let mut method = match entry.prepare(&prepared, &options, &NoProgress) {
-            Ok(Prepared::Edges(method)) => method,
-            // It draws lines, or is not defined for this mesh.
-            Ok(Prepared::Lines(_)) | Err(PrepareError::Mesh(_)) => continue,
-            Err(error) => panic!("{}: {error}", entry.info.name),
+    for entry in Registry::builtin().entries() {
+        let info = entry.info();
+        let method = match entry.prepare(&prepared, &OptionValues::defaults(info.options), &NoProgress) {
+            Ok(prepared) => prepared.into_edges(),
+            // Not defined for this mesh.
+            Err(PrepareError::Mesh(_)) => continue,
+            Err(error) => panic!("{}: {error}", info.name),
         };
+        let Some(mut method) = method else { continue };
         for is_point in [true, false] {
             let view = if is_point {
                 Viewpoint::Perspective { eye: float(viewpoint) }
@@ -59,11 +60,11 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
             let pairs = |edge| topology.end_points(edge).map(VertexId::get);
             let found = [edges.iter().map(pairs).collect::<Vec<_>>(), edges.boundary(&topology).map(pairs).collect()];
             let expected = naive(&integers, triangles, viewpoint.map(i128::from), is_point);
-            if entry.info.exact {
-                assert_eq!(found, expected, "{} {view:?}", entry.info.name);
+            if info.exact {
+                assert_eq!(found, expected, "{} {view:?}", info.name);
             } else {
                 let no_others = found.iter().zip(&expected).all(|(f, e)| f.iter().all(|edge| e.contains(edge)));
-                assert!(no_others, "{} {view:?}: {found:?} is no part of {expected:?}", entry.info.name);
+                assert!(no_others, "{} {view:?}: {found:?} is no part of {expected:?}", info.name);
             }
         }
     }

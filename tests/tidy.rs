@@ -86,7 +86,11 @@ fn broken_rules(workspace: &Workspace) -> Vec<String> {
 fn dependencies_follow_the_rules() {
     let workspace = workspace();
     assert!(workspace.edges.iter().any(|edge| edge.to == "silhouette-core"), "the metadata was read");
-    assert!(workspace.methods.len() >= 4 && workspace.methods.contains("silhouette-tracking"), "{:?}", workspace.methods);
+    assert!(
+        workspace.methods.len() >= 4 && workspace.methods.contains("silhouette-tracking"),
+        "{:?}",
+        workspace.methods
+    );
     assert_eq!(broken_rules(&workspace), Vec::<String>::new());
 }
 

@@ -2,10 +2,10 @@
 
 use crate::threads::Threads;
 use silhouette_compare::cost::Spread;
-use silhouette_compare::registry::{BASELINE, EdgeMethod, Entry, Prepared};
+use silhouette_compare::registry::{BASELINE, Entry};
 use silhouette_compare::scaling::ExtractionRow;
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
-use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, TriangleMesh, Viewpoint};
+use silhouette_core::{ExtractsEdges, NoProgress, PreparedMesh, SilhouetteEdges, TriangleMesh, Viewpoint};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
@@ -16,8 +16,10 @@ pub fn milliseconds(start: Instant) -> f64 {
 
 /// One method on the mesh.
 pub struct Cell {
-    pub entry: &'static Entry,
-    method: Box<dyn EdgeMethod>,
+    pub entry: Entry,
+    method: Box<dyn ExtractsEdges>,
+    /// What the prepared method holds beyond the artefacts of its mesh.
+    method_bytes: usize,
     /// What the method's preparation asked for, and nothing else's.
     pub mesh: Arc<PreparedMesh>,
     /// One for each number of threads.
@@ -41,7 +43,7 @@ impl Cell {
     /// preparation holds all it needs. The last one stays and serves all: results do not depend on threads, and two would
     /// need twice the memory. `None` for a method that extracts no edges.
     pub fn prepare(
-        entry: &'static Entry,
+        entry: &Entry,
         triangles: &Arc<TriangleMesh>,
         all_threads: &[Threads],
     ) -> Result<Option<Self>, PrepareError> {
@@ -52,14 +54,17 @@ impl Cell {
             let mesh = Arc::new(PreparedMesh::new(Arc::clone(triangles)));
             let (prepared, prepare_ms) = threads.install(|| {
                 let start = Instant::now();
-                let prepared = entry.prepare(&mesh, &OptionValues::defaults(entry.info.options), &NoProgress);
+                let prepared = entry.prepare(&mesh, &OptionValues::defaults(entry.info().options), &NoProgress);
                 (prepared, milliseconds(start))
             });
-            let Prepared::Edges(method) = prepared? else { return Ok(None) };
-            last = Some((method, mesh));
+            let prepared = prepared?;
+            let bytes = prepared.bytes();
+            let Some(method) = prepared.into_edges() else { return Ok(None) };
+            last = Some((method, bytes, mesh));
             runs.push(Run { prepare_ms, ..Run::default() });
         }
-        Ok(last.map(|(method, mesh)| Self { entry, method, mesh, runs }))
+        let entry = entry.clone();
+        Ok(last.map(|(method, method_bytes, mesh)| Self { entry, method, method_bytes, mesh, runs }))
     }
 
     /// Extracts on the current threads, as a call of run `index`.
@@ -86,13 +91,13 @@ impl Cell {
     pub fn row(&self, index: usize, blank: &ExtractionRow) -> ExtractionRow {
         let run = &self.runs[index];
         let artefacts: usize = self.mesh.report().iter().map(|artefact| artefact.bytes).sum();
-        let bytes = (self.method.bytes() + artefacts) as u64;
+        let bytes = (self.method_bytes + artefacts) as u64;
         let mean = |value: fn(&ExtractionStats) -> u64| {
             Some(run.stats.iter().map(|stats| value(stats) as f64).sum::<f64>() / run.stats.len() as f64)
         };
         let [found, expected] = run.found.map(|count| count as f64);
         let row = ExtractionRow {
-            method: self.entry.info.name.to_owned(),
+            method: self.entry.info().name.to_owned(),
             silhouette_edges: Spread::of(&run.counts).map(|spread| spread.median),
             recall: Some(if expected > 0.0 { found / expected } else { 1.0 }),
             prepare_ms: Some(run.prepare_ms),
@@ -126,14 +131,15 @@ pub fn with_times(row: ExtractionRow, times_ms: &[f64]) -> ExtractionRow {
 /// # Panics
 /// If that is not so.
 pub fn compare_with_baseline(cells: &mut [Cell]) {
-    let baseline = cells.iter().position(|cell| cell.entry.info.name == BASELINE).expect("the baseline extracts edges");
+    let baseline =
+        cells.iter().position(|cell| cell.entry.info().name == BASELINE).expect("the baseline extracts edges");
     let truth = std::mem::take(&mut cells[baseline].runs[0].edges);
     for (place, cell) in cells.iter_mut().enumerate() {
-        let name = cell.entry.info.name;
+        let name = cell.entry.info().name;
         for (index, run) in cell.runs.iter_mut().enumerate() {
             let edges = if (place, index) == (baseline, 0) { &truth } else { &run.edges };
             assert!(
-                !cell.entry.info.exact || *edges == truth,
+                !cell.entry.info().exact || *edges == truth,
                 "{name} is exact, but its edges are not those of {BASELINE}"
             );
             assert!(edges.iter().all(|edge| truth.contains(edge)), "{name} found edges that are none");

@@ -57,12 +57,12 @@ pub fn measure_mesh(
 
     let (mut cells, mut left_out) = (Vec::new(), Vec::new());
     let (mut edges, mut plane_bytes) = (0, 0);
-    for entry in registry::all() {
+    for entry in registry::Registry::builtin().entries() {
         let cell = match Cell::prepare(entry, &triangles, all_threads) {
             Ok(Some(cell)) => cell,
             Ok(None) => continue,
             Err(PrepareError::Mesh(reason)) => {
-                let (mesh, method) = (name.to_owned(), entry.info.name);
+                let (mesh, method) = (name.to_owned(), entry.info().name);
                 left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
                 continue;
             }
@@ -70,7 +70,7 @@ pub fn measure_mesh(
         };
         let artefact = |error| failed(PrepareError::Cancelled(error));
         edges = cell.mesh.artefact::<Topology>("bench", &NoProgress).map_err(artefact)?.edge_count() as u64;
-        if plane_bytes == 0 && entry.info.needs.contains(&"face-patches") {
+        if plane_bytes == 0 && entry.info().needs.contains(&"face-patches") {
             plane_bytes = cell.mesh.artefact::<FacePatches>("bench", &NoProgress).map_err(artefact)?.plane_bytes();
         }
         cells.push(cell);

@@ -21,7 +21,7 @@ silhouette_core::method_options! {
         /// How faces look: lit from the viewer's upper left, or in one grey.
         pub shading: Shading = choice("shading"),
         /// Brightness of the surface, sRGB as displayed: 0 is black, 1 white.
-        pub grey: f64 = number("grey", 0.0..=1.0, default 0.8),
+        pub grey: f64 = number("grey", 0.0..=1.0, default 1.0),
     }
 }
 

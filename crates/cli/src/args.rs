@@ -4,7 +4,7 @@ use crate::camera::CameraArguments;
 use crate::lines::LinesArguments;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use silhouette_compare::record::Profile;
+use silhouette_compare::Profile;
 use silhouette_core::method::Source;
 use silhouette_papers::Paper;
 use std::path::PathBuf;
@@ -62,8 +62,12 @@ pub enum Command {
     #[command(after_help = "Examples:\n  \
         silhouettes compare bunny.obj -o out/bunny\n  \
         silhouettes compare bunny.obj fandisk.obj --methods brute-force,image-precision --profile quick -o out/two\n  \
+        silhouettes compare bunny.obj --methods brute-force,tracking --set tracking.concavity=0,0.5,1 -o out/sweep\n  \
+        silhouettes compare --scene data/scenes/quick.toml -o out/scene\n  \
         silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
-        silhouettes compare -o out/builtin")]
+        silhouettes compare -o out/builtin\n\n\
+        A scene is a TOML file with meshes, camera path, picture, pen and methods; data/scenes/quick.toml explains each key. Paths\n\
+        in it are relative to its folder. Times and accuracy are of the same frames: of the timed frames some are scored.")]
     Compare(CompareArguments),
     /// Measure what a paper printed, and set both side by side: tables, charts, a page that opens offline
     #[command(after_help = "Examples:\n  \
@@ -143,9 +147,9 @@ fn samples(text: &str) -> Result<u32, String> {
 /// How much a comparison measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ProfileArgument {
-    /// Small pictures, few views: seconds a mesh, even in software
+    /// Small pictures, part of a turn: seconds per mesh, even in software
     Quick,
-    /// Large pictures, many views
+    /// Large pictures, a whole turn
     Full,
 }
 
@@ -161,14 +165,20 @@ impl From<ProfileArgument> for Profile {
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
-    /// Mesh files or builtin:NAME [default: a set of built-in shapes]
+    /// Mesh files or builtin:NAME [default: those of the scene]
     pub meshes: Vec<String>,
-    /// Names of the methods, separated by commas [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub methods: Vec<String>,
-    /// How much to measure
+    /// Scene file (.toml) instead of a profile
+    #[arg(long, value_name = "FILE", conflicts_with = "profile")]
+    pub scene: Option<PathBuf>,
+    /// How much to measure: a built-in scene
     #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
     pub profile: ProfileArgument,
+    /// Names of the methods, separated by commas [default: those of the scene, or all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub methods: Vec<String>,
+    /// An option of a method; several values make one cell each, several options multiply
+    #[arg(long, value_name = "METHOD.OPTION=VALUE[,VALUE...]")]
+    pub set: Vec<String>,
     /// Extraction timings of other tools for the report, as benches/peers writes them; may be given several times
     #[arg(long, value_name = "FILE.jsonl")]
     pub peers: Vec<PathBuf>,

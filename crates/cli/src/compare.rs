@@ -5,22 +5,17 @@ use crate::failure::{self, Failure};
 use crate::input;
 use crate::output::check_writable;
 use crate::progress::TerminalProgress;
-use silhouette_compare::registry;
-use silhouette_compare::runner::{CompareConfig, CompareError, MethodChoice};
+use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
 use silhouette_compare::scaling::read_rows;
-use silhouette_compare::{report, run as run_comparison};
-use silhouette_core::method::OptionValues;
+use silhouette_compare::scene::{MeshSpec, Scene};
+use silhouette_compare::{Profile, Registry, report, run as run_comparison};
+use silhouette_core::Progress;
 use silhouette_render::{AdapterChoice, Gpu};
-
-/// What is compared on where no mesh is named: smooth, sharp and self-occluding.
-const DEFAULT_MESHES: [&str; 3] = ["builtin:torus", "builtin:gear", "builtin:knot"];
+use std::sync::Arc;
 
 /// Runs the command.
-pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
-    let mut config = CompareConfig::new(arguments.profile.into());
-    if !arguments.methods.is_empty() {
-        config.methods = arguments.methods.iter().map(|name| choice(name)).collect::<Result<_, _>>()?;
-    }
+pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Failure> {
+    let config = config(arguments, registry)?;
     report::check_target(&arguments.output).map_err(Failure::input)?;
     check_writable(&arguments.output)?;
     let mut peers = Vec::new();
@@ -28,9 +23,9 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         peers.extend(read_rows(path).map_err(Failure::input)?);
     }
     let progress = TerminalProgress::new();
-    let meshes = input::meshes(&arguments.meshes, &DEFAULT_MESHES, &progress)?;
+    let subjects = subjects(config.scene(), &progress)?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
-    let mut comparison = run_comparison(&config, &meshes, &gpu, &progress).map_err(failed)?;
+    let mut comparison = run_comparison(&config, &subjects, &gpu, &progress).map_err(failed)?;
     for cell in &comparison.left_out {
         failure::note(cell);
     }
@@ -39,14 +34,46 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn choice(name: &str) -> Result<MethodChoice, Failure> {
-    let entry = registry::find(name).map_err(Failure::input)?;
-    Ok(MethodChoice { entry, options: OptionValues::defaults(entry.info.options) })
+/// The scene named, or that of the profile, with what the command line overrides.
+fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareConfig, Failure> {
+    let (mut scene, place) = match &arguments.scene {
+        Some(path) => (Scene::load(path).map_err(Failure::input)?, path.display().to_string()),
+        None => (Profile::from(arguments.profile).scene(), "compare".to_owned()),
+    };
+    if !arguments.methods.is_empty() {
+        for name in &arguments.methods {
+            registry.find(name).map_err(Failure::input)?;
+        }
+        scene.select(&arguments.methods);
+    }
+    for setting in &arguments.set {
+        scene.set(setting, registry).map_err(|fault| Failure::Input(format!("--set {setting}: {fault}")))?;
+    }
+    if !arguments.meshes.is_empty() {
+        scene.meshes = arguments.meshes.iter().cloned().map(MeshSpec::Plain).collect();
+    }
+    if scene.meshes.is_empty() {
+        return Err(Failure::Input(format!(
+            "{place}: meshes: none is listed; name one in the scene or as an argument"
+        )));
+    }
+    CompareConfig::new(scene, registry).map_err(|fault| Failure::input(fault.in_scene(place)))
+}
+
+/// Loads the meshes of a scene, and those that they stand for.
+fn subjects(scene: &Scene, progress: &dyn Progress) -> Result<Vec<Subject>, Failure> {
+    let names: Vec<String> = scene.meshes.iter().map(|spec| spec.mesh().to_owned()).collect();
+    let meshes = input::meshes(&names, &[], progress)?;
+    let subject = |(mesh, spec): (NamedMesh, &MeshSpec)| {
+        let load = |name: &str| input::mesh(name, progress).map(|truth| Arc::clone(truth.mesh.mesh()));
+        Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
+    };
+    meshes.into_iter().zip(&scene.meshes).map(subject).collect()
 }
 
 fn failed(error: CompareError) -> Failure {
     match error {
-        input @ (CompareError::Nothing { .. } | CompareError::SameName { .. } | CompareError::EmptyMesh { .. }) => {
+        input @ (CompareError::NoMesh | CompareError::SameName { .. } | CompareError::EmptyMesh { .. }) => {
             Failure::input(input)
         }
         other => Failure::run(other),

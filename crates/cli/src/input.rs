@@ -2,13 +2,11 @@
 
 use crate::failure::Failure;
 use silhouette_compare::runner::NamedMesh;
+use silhouette_compare::scene::BUILTIN;
 use silhouette_core::load::{self, LabelledMesh};
 use silhouette_core::{PreparedMesh, Progress, shapes};
 use std::path::Path;
 use std::sync::Arc;
-
-/// What built-in shapes are called by.
-const BUILTIN: &str = "builtin:";
 
 /// Loads a file or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {

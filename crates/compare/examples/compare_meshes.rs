@@ -16,10 +16,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut meshes = Vec::new();
     for path in paths {
         let mesh = load::load(Path::new(path))?;
-        meshes.push(NamedMesh { name: path.clone(), mesh: Arc::new(PreparedMesh::new(mesh)) });
+        meshes.push(NamedMesh { name: path.clone(), mesh: Arc::new(PreparedMesh::new(mesh)) }.into());
     }
     let gpu = Gpu::new(AdapterChoice::from_env()?)?;
-    let comparison = run(&CompareConfig::new(Profile::Quick), &meshes, &gpu, &NoProgress)?;
+    let comparison = run(&CompareConfig::new(Profile::Quick.scene())?, &meshes, &gpu, &NoProgress)?;
     report::write(&comparison, Path::new(directory))?;
     Ok(())
 }

@@ -7,19 +7,6 @@ use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Framing, ViewError};
 use std::f64::consts::TAU;
 
-/// Azimuth of the first view. Neither it nor any multiple of the steps is a simple fraction of a turn, so that no view
-/// looks along an axis or a diagonal of a model, where many faces would be seen edge-on at once.
-const FIRST_AZIMUTH_RAD: f64 = 0.417;
-
-/// Middle of the elevations of an orbit, above the horizon.
-const ELEVATION_RAD: f64 = 0.31;
-
-/// How far the elevation swings to both sides in a turn.
-const SWING_RAD: f64 = 0.23;
-
-/// Angle between two frames of a smooth path: a slow pan at 60 frames a second takes six seconds a turn.
-const FRAME_STEP_RAD: f64 = TAU / 360.0;
-
 /// An inclined orbit around a mesh, whose whole bounding sphere every view shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orbit {
@@ -29,19 +16,22 @@ pub struct Orbit {
     pub size: [u32; 2],
     /// Number of views.
     pub views: u32,
-    /// Angle from view to view.
+    /// Azimuth of the first view, from the z axis towards the x axis.
+    pub first_azimuth_rad: f64,
+    /// Middle of the elevations, above the horizon.
+    pub elevation_rad: f64,
+    /// How far the elevation swings to both sides in a turn.
+    pub swing_rad: f64,
+    /// Azimuth from view to view.
     pub step_rad: f64,
 }
 
 impl Orbit {
-    /// `views` views spread over a whole turn: for accuracy, where views should differ.
+    /// `views` views spread over a whole turn. No view of a usual number looks along an axis or a diagonal of a model, where
+    /// many faces would be seen edge-on at once.
     pub fn turn(framing: Framing, size: [u32; 2], views: u32) -> Self {
-        Self { framing, size, views, step_rad: TAU / f64::from(views.max(1)) }
-    }
-
-    /// `frames` views a degree apart: for timing, where frames should follow each other as in an animation.
-    pub fn animation(framing: Framing, size: [u32; 2], frames: u32) -> Self {
-        Self { framing, size, views: frames, step_rad: FRAME_STEP_RAD }
+        let step_rad = TAU / f64::from(views.max(1));
+        Self { framing, size, views, first_azimuth_rad: 0.417, elevation_rad: 0.31, swing_rad: 0.23, step_rad }
     }
 
     /// The cameras in order. O(views).
@@ -64,10 +54,17 @@ impl Orbit {
 
     /// From the mesh towards the viewer.
     fn direction(&self, view: u32) -> DVec3 {
-        let azimuth = FIRST_AZIMUTH_RAD + self.step_rad * f64::from(view);
-        let elevation = ELEVATION_RAD + SWING_RAD * (azimuth + 1.0).sin();
+        let azimuth = self.first_azimuth_rad + self.step_rad * f64::from(view);
+        let elevation = self.elevation_rad + self.swing_rad * (azimuth + 1.0).sin();
         DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos())
     }
+}
+
+/// Which of `frames` timed frames are scored, ascending: the middle one of each of `scored` equal stretches. No more than
+/// there are frames. O(scored).
+pub fn scored_frames(frames: u32, scored: u32) -> Vec<u32> {
+    let scored = scored.min(frames);
+    (0..u64::from(scored)).map(|at| ((2 * at + 1) * u64::from(frames) / (2 * u64::from(scored))) as u32).collect()
 }
 
 #[cfg(test)]
@@ -106,17 +103,17 @@ mod tests {
     }
 
     #[test]
-    fn frames_of_an_animation_are_a_degree_apart() {
-        let cameras = Orbit::animation(Framing::Orthographic, [64, 64], 30).cameras(&BOUNDS).unwrap();
-        for pair in cameras.windows(2) {
-            let angle = pair[0].eye().as_dvec3().angle_between(pair[1].eye().as_dvec3()).to_degrees();
-            assert!((0.8..1.1).contains(&angle), "{angle}");
-        }
-    }
-
-    #[test]
     fn impossible_views_are_refused() {
         let orbit = Orbit::turn(Framing::Perspective { fov_y_rad: 4.0 }, [64, 64], 2);
         assert_eq!(orbit.cameras(&BOUNDS), Err(ViewError::Projection));
+    }
+
+    #[test]
+    fn scored_frames_are_spread_evenly_over_the_timed_ones() {
+        assert_eq!(scored_frames(60, 6), [5, 15, 25, 35, 45, 55]);
+        assert_eq!(scored_frames(7, 2), [1, 5]);
+        assert_eq!(scored_frames(3, 9), [0, 1, 2]);
+        assert_eq!(scored_frames(u32::MAX, 1), [u32::MAX / 2]);
+        assert!(scored_frames(60, 0).is_empty() && scored_frames(0, 6).is_empty());
     }
 }

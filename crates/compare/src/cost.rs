@@ -1,4 +1,4 @@
-//! What a method costs: preparation once a mesh, and frames, never mixed.
+//! What a method costs: preparation once per mesh, and frames, never mixed.
 
 use serde::{Deserialize, Serialize};
 
@@ -31,20 +31,21 @@ impl Spread {
 pub struct PrepareCost {
     /// Wall time of the preparation in milliseconds, every artefact it asks for included: nothing was there before.
     pub prepare_ms: f64,
-    /// Wall time until the renderer stood on the device: buffers filled, pipelines built.
+    /// Wall time until the renderer is ready on the device: buffers filled, pipelines built.
     pub renderer_ms: f64,
     /// Bytes of the artefacts and of the prepared method, in main memory.
     pub bytes: u64,
 }
 
-/// What frames cost along a camera path, warm-up frames left out.
+/// What frames cost along a camera path, warm-up frames excluded.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrameCost {
     /// Number of frames measured.
     pub frames: u32,
     /// Number of frames drawn before, not measured.
     pub warm_up: u32,
-    /// Wall time of a whole frame in milliseconds: extraction, upload, submission and waiting for the device.
+    /// Wall time of a whole frame in milliseconds: extraction, upload, encoding, submission and waiting for the device.
+    /// Nothing is read back inside the clock.
     pub frame_ms: Spread,
     /// Time in render passes by the device's own clock in milliseconds, where it has timestamps.
     pub gpu_ms: Option<Spread>,
@@ -54,7 +55,7 @@ pub struct FrameCost {
     pub counters: Option<Counters>,
 }
 
-/// [`ExtractionStats`](silhouette_core::method::ExtractionStats) on the mean of several frames.
+/// [`ExtractionStats`](silhouette_core::method::ExtractionStats) averaged over frames.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Counters {
     /// Faces whose facing was evaluated.
@@ -72,7 +73,7 @@ pub struct Counters {
 pub struct FrameSample {
     /// Wall time of the whole frame.
     pub frame_ms: f64,
-    /// Time in render passes, where the device tells.
+    /// Time in render passes, where the device reports it.
     pub gpu_ms: Option<f64>,
     /// The extraction, for methods that extract edges.
     pub extraction: Option<ExtractionSample>,
@@ -131,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn warm_up_frames_are_left_out() {
+    fn warm_up_frames_are_excluded() {
         let frame = |frame_ms, faces_tested| FrameSample {
             frame_ms,
             gpu_ms: None,

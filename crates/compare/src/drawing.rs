@@ -1,29 +1,20 @@
 //! Frames of a prepared method, whatever it yields: edges are drawn as strokes, other methods draw themselves.
 
 use crate::cost::{ExtractionSample, FrameSample};
-use crate::registry::{Entry, Prepared};
+use crate::metrics::PictureKind;
+use crate::registry::{Capabilities, Entry, Prepared};
 use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
 use silhouette_core::view::Camera;
 use silhouette_core::{
     Cancelled, ExtractsEdges, NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology, Viewpoint,
 };
 use silhouette_gpu::{
-    EdgeRenderer, FrameRenderer, FrameView, FrameViewError, MeshBuffers, MeshTooLarge, Pen, PenPlacement, RendererError,
-    StrokePipelines, StrokeRenderer, StrokeStyle, TargetFormats,
+    EdgeRenderer, FrameRenderer, FrameView, FrameViewError, MeshBuffers, MeshTooLarge, Pen, PenPlacement,
+    RendererError, StrokePipelines, StrokeRenderer, StrokeStyle, TargetFormats,
 };
 use silhouette_render::{DEFAULT_FORMATS, Gpu, GpuError, Image, Load, Target};
 use std::sync::Arc;
 use std::time::Instant;
-
-/// What a picture shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum PictureKind {
-    /// Lines.
-    Lines,
-    /// The mesh's surface.
-    Fill,
-}
 
 /// Why a frame cannot be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -92,6 +83,7 @@ impl Ground {
 pub struct Drawing {
     target: Target,
     style: FrameStyle,
+    kind: PictureKind,
     mesh: Arc<MeshBuffers>,
     source: Source,
 }
@@ -140,9 +132,9 @@ impl Drawing {
         let formats = TargetFormats { samples: style.samples, ..DEFAULT_FORMATS };
         let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?);
         let own = match kind {
-            PictureKind::Lines => prepared
-                .lines()
-                .map(|method| Ok((method.renderer(gpu, formats, &buffers)?, method.pen_placement()))),
+            PictureKind::Lines => {
+                prepared.lines().map(|method| Ok((method.renderer(gpu, formats, &buffers)?, method.pen_placement())))
+            }
             PictureKind::Fill => {
                 prepared.fill().map(|method| Ok((method.renderer(gpu, formats, &buffers)?, PenPlacement::Centred)))
             }
@@ -163,7 +155,12 @@ impl Drawing {
             None => return Err(DrawError::Kind(kind)),
         };
         gpu.check()?;
-        Ok(Self { target: Target::new(gpu, style.size, formats)?, style, mesh: buffers, source })
+        Ok(Self { target: Target::new(gpu, style.size, formats)?, style, kind, mesh: buffers, source })
+    }
+
+    /// What the pictures show.
+    pub fn kind(&self) -> PictureKind {
+        self.kind
     }
 
     /// The pen that lines are drawn with: for a method with a pen of its own, its placement and the style's width.
@@ -228,6 +225,12 @@ impl Drawing {
     }
 }
 
+/// The kinds of picture that a method with these capabilities yields, lines first.
+pub fn pictures_of(can: Capabilities) -> impl Iterator<Item = PictureKind> {
+    let kinds = [(can.lines || can.edges, PictureKind::Lines), (can.fill, PictureKind::Fill)];
+    kinds.into_iter().filter_map(|(yields, kind)| yields.then_some(kind))
+}
+
 /// A picture, with what its user should know.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rendered {
@@ -250,8 +253,7 @@ pub fn render_method(
     style: FrameStyle,
     progress: &dyn Progress,
 ) -> Result<Rendered, DrawError> {
-    let can = entry.capabilities();
-    let kind = if can.lines || can.edges { PictureKind::Lines } else { PictureKind::Fill };
+    let kind = pictures_of(entry.capabilities()).next().unwrap_or(PictureKind::Lines);
     let prepared = entry.prepare(mesh, options, progress)?;
     let mut drawing = Drawing::new(gpu, mesh, prepared, kind, style)?;
     drawing.draw(gpu, camera)?;
@@ -317,7 +319,8 @@ mod tests {
             let options = OptionValues::parse(entry.info().options, words.iter().copied()).unwrap();
             let style = style(1, Ground::Transparent);
             let image = render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image;
-            let [ink, ground] = [[0, 0, 0, 255], [0; 4]].map(|wanted| image.rgba.chunks(4).filter(|p| *p == wanted).count());
+            let [ink, ground] =
+                [[0, 0, 0, 255], [0; 4]].map(|wanted| image.rgba.chunks(4).filter(|p| *p == wanted).count());
             assert!(ink > 100 && ink + ground == 128 * 96, "{name}: {ink} {ground}");
             let middle = &image.rgba[4 * (48 * 128 + 64)..][..4];
             assert_eq!(middle, [0; 4], "{name}: the interior");

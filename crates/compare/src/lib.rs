@@ -3,19 +3,22 @@
 //!
 //! In the order of a comparison:
 //!
-//! 1. [`registry`]: the one list of methods. [`drawing`]: frames of any of them.
-//! 2. [`camera_path`]: views around a mesh.
-//! 3. [`truth`]: the true visible lines of a view.
-//! 4. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames.
-//! 5. [`runner`]: methods x meshes x views; yields [`record`]s. [`machine`]: where they were made.
-//! 6. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
-//! 7. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
-//! 8. [`report`]: files for people and programs.
+//! 1. [`scene`]: what is compared, seen how and measured how thoroughly, as data. [`options`]: of methods.
+//! 2. [`registry`]: the methods, as a value that callers extend. [`drawing`]: frames of any of them.
+//! 3. [`camera_path`]: views around a mesh.
+//! 4. [`truth`]: the true visible lines of a view, and its true filled picture.
+//! 5. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames.
+//! 6. [`runner`]: methods with their options x meshes, along one path; yields [cells](record::Cell). [`machine`]: where they
+//!    were made.
+//! 7. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
+//! 8. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
+//! 9. [`report`]: files for people and programs.
 //!
 //! [`plot`]: what charts as SVG are made of.
 //! [`result_directory`]: how directories of results are written.
 //!
 //! ```no_run
+//! use silhouette_compare::registry::Registry;
 //! use silhouette_compare::{CompareConfig, NamedMesh, Profile, report, run};
 //! use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh};
 //! use silhouette_render::{AdapterChoice, Gpu};
@@ -24,8 +27,11 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # let mesh = TriangleMesh::new(vec![], vec![])?;
 //! let gpu = Gpu::new(AdapterChoice::Any)?;
-//! let meshes = [NamedMesh { name: "model".to_owned(), mesh: Arc::new(PreparedMesh::new(mesh)) }];
-//! let comparison = run(&CompareConfig::new(Profile::Quick), &meshes, &gpu, &NoProgress)?;
+//! let model = NamedMesh { name: "model".to_owned(), mesh: Arc::new(PreparedMesh::new(mesh)) };
+//! let mut scene = Profile::Quick.scene();
+//! let registry = Registry::builtin();
+//! scene.set("tracking.concavity=0,0.5,1", &registry)?;
+//! let comparison = run(&CompareConfig::new(scene, &registry)?, &[model.into()], &gpu, &NoProgress)?;
 //! report::write(&comparison, "report".as_ref())?;
 //! # Ok(())
 //! # }
@@ -36,6 +42,7 @@ pub mod cost;
 pub mod drawing;
 pub mod machine;
 pub mod metrics;
+pub mod options;
 pub mod pareto;
 pub mod picture;
 pub mod plot;
@@ -45,8 +52,11 @@ pub mod report;
 pub mod result_directory;
 pub mod runner;
 pub mod scaling;
+pub mod scene;
 pub mod truth;
 
-pub use drawing::{FrameStyle, render_method};
-pub use record::{Profile, Record};
-pub use runner::{CompareConfig, CompareError, Comparison, LeftOut, MethodChoice, NamedMesh, PictureSet, run};
+pub use drawing::{FrameStyle, Ground, render_method};
+pub use record::Cell;
+pub use registry::{Entry, Registry};
+pub use runner::{CompareConfig, CompareError, Comparison, LeftOut, NamedMesh, PictureSet, Subject, run};
+pub use scene::{MethodChoice, Profile, Scene, SceneError};

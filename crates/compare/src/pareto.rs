@@ -7,7 +7,7 @@
 pub fn pareto_front(points: &[[f64; 2]]) -> Vec<usize> {
     let is_number = |&index: &usize| !points[index].iter().any(|value| value.is_nan());
     let mut order: Vec<usize> = (0..points.len()).filter(is_number).collect();
-    // Adding 0 turns -0 into 0, which `total_cmp` and the bits would tell apart.
+    // Adding 0 turns -0 into 0, from which `total_cmp` and the bits would differ.
     let key = |index: usize| points[index].map(|value| value + 0.0);
     let ties = |a: usize, b: usize| key(a).map(f64::to_bits) == key(b).map(f64::to_bits);
     order.sort_by(|&a, &b| {

@@ -1,6 +1,6 @@
 //! Side-by-side pictures: what a method drew, the truth, and where they differ.
 
-use crate::metrics::Ink;
+use crate::metrics::ink::Ink;
 use silhouette_render::Image;
 
 /// Colour of ink that is missing: on the true pen, but not drawn.

@@ -146,8 +146,7 @@ mod tests {
             let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("cube").unwrap()));
             entry.prepare(&mesh, &OptionValues::defaults(info.options), &NoProgress).unwrap();
             let report = mesh.report();
-            let asked: BTreeSet<_> =
-                report.iter().filter(|a| a.asked_by.contains(info.name)).map(|a| a.name).collect();
+            let asked: BTreeSet<_> = report.iter().filter(|a| a.asked_by.contains(info.name)).map(|a| a.name).collect();
             assert_eq!(asked, BTreeSet::from_iter(info.needs.iter().copied()), "{}", info.name);
             assert!(!info.needs.is_empty() || report.is_empty(), "{} needs triangles only", info.name);
         }

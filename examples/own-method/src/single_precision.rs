@@ -25,11 +25,7 @@ impl Method for SinglePrecision {
         options: &[],
     };
 
-    fn prepare(
-        mesh: &Arc<PreparedMesh>,
-        _options: &NoOptions,
-        progress: &dyn Progress,
-    ) -> Result<Self, PrepareError> {
+    fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         Ok(Self { mesh: Arc::clone(mesh.mesh()), topology })
     }

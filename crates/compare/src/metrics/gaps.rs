@@ -1,7 +1,7 @@
 //! How often a drawn line is interrupted.
 
-use super::Ink;
-use crate::truth::{Run, TrueLines};
+use super::ink::Ink;
+use crate::truth::samples::{Run, TrueLines};
 
 /// A place of a true line is bare where no ink lies within this distance: as much as rasterisation can move a line.
 const BARE_PX: f64 = 1.0;
@@ -36,35 +36,35 @@ fn gaps_in_run(ink: &Ink, truth: &TrueLines, run: &Run) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene;
+    use super::super::sample_lines;
     use super::*;
 
     #[test]
     fn punching_holes_raises_the_gap_count() {
-        let scene = scene::crossing_lines();
-        let whole = gaps_per_1000_px(&scene.pen, &scene.lines);
-        let holed = gaps_per_1000_px(&scene::punch_holes(&scene.pen), &scene.lines);
+        let sample = sample_lines::crossing_lines();
+        let whole = gaps_per_1000_px(&sample.pen, &sample.lines);
+        let holed = gaps_per_1000_px(&sample_lines::punch_holes(&sample.pen), &sample.lines);
         assert!(whole.abs() < 1e-12 && holed > 5.0, "{whole} {holed}");
     }
 
     #[test]
     fn a_gap_over_the_start_of_a_closed_line_is_one_gap() {
-        let mut scene = scene::square();
-        assert!(scene.lines.runs[0].closed);
-        let holed = scene::erase_around(&scene.pen, scene.lines.samples[0].pixel, 6.0);
-        let length: f64 = scene.lines.samples.iter().map(|sample| sample.length_px).sum();
-        assert!((gaps_per_1000_px(&holed, &scene.lines) * length / 1000.0 - 1.0).abs() < 1e-9);
-        scene.lines.runs[0].closed = false;
-        assert!((gaps_per_1000_px(&holed, &scene.lines) * length / 1000.0 - 2.0).abs() < 1e-9);
+        let mut sample = sample_lines::square();
+        assert!(sample.lines.runs[0].closed);
+        let holed = sample_lines::erase_around(&sample.pen, sample.lines.samples[0].pixel, 6.0);
+        let length: f64 = sample.lines.samples.iter().map(|sample| sample.length_px).sum();
+        assert!((gaps_per_1000_px(&holed, &sample.lines) * length / 1000.0 - 1.0).abs() < 1e-9);
+        sample.lines.runs[0].closed = false;
+        assert!((gaps_per_1000_px(&holed, &sample.lines) * length / 1000.0 - 2.0).abs() < 1e-9);
     }
 
     #[test]
     fn without_ink_every_line_is_one_gap() {
-        let scene = scene::crossing_lines();
-        let blank = Ink::blank(scene.pen.width(), scene.pen.height());
-        let length: f64 = scene.lines.samples.iter().map(|sample| sample.length_px).sum();
-        let gaps = gaps_per_1000_px(&blank, &scene.lines) * length / 1000.0;
-        assert!((gaps - scene.lines.runs.len() as f64).abs() < 1e-9, "{gaps}");
+        let sample = sample_lines::crossing_lines();
+        let blank = Ink::blank(sample.pen.width(), sample.pen.height());
+        let length: f64 = sample.lines.samples.iter().map(|sample| sample.length_px).sum();
+        let gaps = gaps_per_1000_px(&blank, &sample.lines) * length / 1000.0;
+        assert!((gaps - sample.lines.runs.len() as f64).abs() < 1e-9, "{gaps}");
         assert!(gaps_per_1000_px(&blank, &TrueLines::default()).abs() < 1e-12);
     }
 }

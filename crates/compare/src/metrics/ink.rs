@@ -83,6 +83,11 @@ impl Ink {
         self.coverage(x, y) >= INK_THRESHOLD
     }
 
+    /// Coverage of each pixel, row by row.
+    pub fn coverages(&self) -> &[f32] {
+        &self.coverage
+    }
+
     /// Which pixels count as ink, row by row.
     pub fn mask(&self) -> Vec<bool> {
         self.coverage.iter().map(|&coverage| coverage >= INK_THRESHOLD).collect()
@@ -100,7 +105,7 @@ impl Ink {
     pub fn has_ink_within(&self, point: DVec2, tolerance_px: f64) -> bool {
         let low = (point - tolerance_px).floor().as_i64vec2();
         let high = (point + tolerance_px).floor().as_i64vec2();
-        // A point on a pixel border touches the pixel before it too, hence `low - 1`.
+        // A point on the side of a pixel touches the pixel before it too, hence `low - 1`.
         (low.y - 1..=high.y).any(|y| {
             (low.x - 1..=high.x).any(|x| {
                 let corner = DVec2::new(x as f64, y as f64);

@@ -1,9 +1,9 @@
 //! How far drawn and true ink lie apart, as sets of pixels.
 
-use super::Ink;
 use super::distance_transform::distance_transform;
+use super::ink::Ink;
 
-/// Share of the distances that [`Separation::hausdorff_95_px`] stays above: the farthest 5 % are left out, so that a
+/// Share of the distances that [`Separation::hausdorff_95_px`] is not exceeded by: the farthest 5 % are excluded, so that a
 /// single stray pixel does not decide.
 pub const HAUSDORFF_SHARE: f64 = 0.95;
 
@@ -57,34 +57,35 @@ fn directed(from: &[bool], distances: &[f64]) -> Directed {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene;
+    use super::super::sample_lines;
     use super::*;
 
     #[test]
     fn shifting_raises_the_chamfer_distance() {
-        let pen = scene::crossing_lines().pen;
-        let [same, two, four] = [0, 2, 4].map(|by| separation(&scene::shift_right(&pen, by), &pen).chamfer_px);
+        let pen = sample_lines::crossing_lines().pen;
+        let [same, two, four] = [0, 2, 4].map(|by| separation(&sample_lines::shift_right(&pen, by), &pen).chamfer_px);
         assert!(same.abs() < 1e-12 && two > 0.1 && four > two, "{same} {two} {four}");
     }
 
     #[test]
     fn shifting_raises_the_hausdorff_distance() {
-        let pen = scene::crossing_lines().pen;
-        let [same, two, four] = [0, 2, 4].map(|by| separation(&scene::shift_right(&pen, by), &pen).hausdorff_95_px);
+        let pen = sample_lines::crossing_lines().pen;
+        let [same, two, four] =
+            [0, 2, 4].map(|by| separation(&sample_lines::shift_right(&pen, by), &pen).hausdorff_95_px);
         assert!(same.abs() < 1e-12 && two >= 1.0 && four > two, "{same} {two} {four}");
     }
 
     #[test]
     fn erasing_and_specks_raise_both_directions() {
-        let pen = scene::crossing_lines().pen;
-        for worse in [scene::erase_stretch(&pen), scene::add_specks(&pen)] {
+        let pen = sample_lines::crossing_lines().pen;
+        for worse in [sample_lines::erase_stretch(&pen), sample_lines::add_specks(&pen)] {
             assert!(separation(&worse, &pen).chamfer_px > 0.05);
         }
     }
 
     #[test]
     fn one_stray_pixel_does_not_decide_the_hausdorff_distance() {
-        let pen = scene::crossing_lines().pen;
+        let pen = sample_lines::crossing_lines().pen;
         let mut stray = pen.clone();
         stray.set(0, 0, 1.0);
         assert!(separation(&stray, &pen).hausdorff_95_px.abs() < 1e-12);
@@ -92,7 +93,7 @@ mod tests {
 
     #[test]
     fn empty_pictures_are_a_diagonal_apart() {
-        let pen = scene::crossing_lines().pen;
+        let pen = sample_lines::crossing_lines().pen;
         let blank = Ink::blank(pen.width(), pen.height());
         for (ink, truth) in [(&blank, &pen), (&pen, &blank)] {
             let apart = separation(ink, truth);

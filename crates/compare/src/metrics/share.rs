@@ -1,7 +1,7 @@
-//! How much of the truth is missed, and how much ink has no business being there.
+//! How much of the truth is missed, and how much ink is spurious.
 
-use super::Ink;
-use crate::truth::TrueLines;
+use super::ink::Ink;
+use crate::truth::samples::TrueLines;
 use glam::DVec2;
 
 /// Share of the true lines' length, 0 to 1, without ink within `tolerance_px`: distances run from the true line, not
@@ -31,44 +31,44 @@ fn share_of(part: f64, whole: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene;
+    use super::super::sample_lines;
     use super::*;
 
     #[test]
     fn erasing_a_stretch_raises_the_missed_share() {
-        let scene = scene::crossing_lines();
-        let whole = missed_share(&scene.pen, &scene.lines, 0.5);
-        let erased = missed_share(&scene::erase_stretch(&scene.pen), &scene.lines, 0.5);
+        let sample = sample_lines::crossing_lines();
+        let whole = missed_share(&sample.pen, &sample.lines, 0.5);
+        let erased = missed_share(&sample_lines::erase_stretch(&sample.pen), &sample.lines, 0.5);
         assert!(whole.abs() < 1e-12 && erased > 0.05, "{whole} {erased}");
     }
 
     #[test]
     fn specks_raise_the_spurious_share() {
-        let scene = scene::crossing_lines();
-        let specked = scene::add_specks(&scene.pen);
+        let sample = sample_lines::crossing_lines();
+        let specked = sample_lines::add_specks(&sample.pen);
         for tolerance in [0.5, 1.0, 2.0] {
-            let before = spurious_share(&scene.pen, &scene.pen, tolerance);
-            let after = spurious_share(&specked, &scene.pen, tolerance);
+            let before = spurious_share(&sample.pen, &sample.pen, tolerance);
+            let after = spurious_share(&specked, &sample.pen, tolerance);
             assert!(before.abs() < 1e-12 && after > 0.01, "at {tolerance}: {before} {after}");
         }
     }
 
     #[test]
     fn tolerances_forgive_a_shift_up_to_their_size() {
-        let scene = scene::crossing_lines();
-        let shifted = scene::shift_right(&scene.pen, 2);
-        let spurious = [0.5, 1.0, 2.0].map(|tolerance| spurious_share(&shifted, &scene.pen, tolerance));
+        let sample = sample_lines::crossing_lines();
+        let shifted = sample_lines::shift_right(&sample.pen, 2);
+        let spurious = [0.5, 1.0, 2.0].map(|tolerance| spurious_share(&shifted, &sample.pen, tolerance));
         assert!(spurious[0] > 0.05 && spurious[0] > spurious[1] && spurious[1] > spurious[2], "{spurious:?}");
         assert!(spurious[2].abs() < 1e-12, "{spurious:?}");
     }
 
     #[test]
     fn empty_pictures_have_shares_at_the_ends() {
-        let scene = scene::crossing_lines();
-        let blank = Ink::blank(scene.pen.width(), scene.pen.height());
-        assert!((missed_share(&blank, &scene.lines, 2.0) - 1.0).abs() < 1e-12);
-        assert!(missed_share(&scene.pen, &TrueLines::default(), 0.5).abs() < 1e-12);
-        assert!((spurious_share(&scene.pen, &blank, 2.0) - 1.0).abs() < 1e-12);
-        assert!(spurious_share(&blank, &scene.pen, 0.5).abs() < 1e-12);
+        let sample = sample_lines::crossing_lines();
+        let blank = Ink::blank(sample.pen.width(), sample.pen.height());
+        assert!((missed_share(&blank, &sample.lines, 2.0) - 1.0).abs() < 1e-12);
+        assert!(missed_share(&sample.pen, &TrueLines::default(), 0.5).abs() < 1e-12);
+        assert!((spurious_share(&sample.pen, &blank, 2.0) - 1.0).abs() < 1e-12);
+        assert!(spurious_share(&blank, &sample.pen, 0.5).abs() < 1e-12);
     }
 }

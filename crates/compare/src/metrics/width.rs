@@ -1,7 +1,7 @@
 //! How wide the lines were drawn, and how evenly.
 
-use super::Ink;
-use crate::truth::{TrueLines, TrueSample};
+use super::ink::Ink;
+use crate::truth::samples::{TrueLines, TrueSample};
 use glam::DVec2;
 use std::collections::HashMap;
 
@@ -16,8 +16,7 @@ const STEP_PX: f64 = 0.125;
 /// straight profile does not measure. Half a pixel more than what rasterisation moves a line by.
 const STRAIGHT_PX: f64 = 1.0;
 
-/// Every how many samples (a quarter of a pixel apart) a profile is taken: one a pixel; closer profiles see the same
-/// pixels again.
+/// One profile per this many samples, which are a quarter of a pixel apart: closer profiles see the same pixels again.
 const STRIDE: usize = 4;
 
 /// Width of the drawn lines.
@@ -93,45 +92,46 @@ impl<'a> SampleGrid<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene;
+    use super::super::sample_lines;
     use super::*;
 
     #[test]
     fn the_true_pen_has_its_own_width() {
-        let scene = scene::crossing_lines();
-        let width = drawn_width(&scene.pen, &scene.lines, scene::PEN_PX);
-        assert!((width.mean_px - scene::PEN_PX).abs() < 0.05, "{width:?}");
+        let sample = sample_lines::crossing_lines();
+        let width = drawn_width(&sample.pen, &sample.lines, sample_lines::PEN_PX);
+        assert!((width.mean_px - sample_lines::PEN_PX).abs() < 0.05, "{width:?}");
         assert!(width.deviation_px < 0.15 && width.profiles > 50, "{width:?}");
     }
 
     #[test]
     fn thickening_raises_the_mean_width() {
-        let scene = scene::crossing_lines();
-        let thick = drawn_width(&scene::thicken(&scene.pen), &scene.lines, scene::PEN_PX);
-        assert!(thick.mean_px > scene::PEN_PX + 1.0, "{thick:?}");
+        let sample = sample_lines::crossing_lines();
+        let thick = drawn_width(&sample_lines::thicken(&sample.pen), &sample.lines, sample_lines::PEN_PX);
+        assert!(thick.mean_px > sample_lines::PEN_PX + 1.0, "{thick:?}");
     }
 
     #[test]
     fn an_uneven_pen_raises_the_deviation() {
-        let scene = scene::crossing_lines();
-        let even = drawn_width(&scene.pen, &scene.lines, scene::PEN_PX).deviation_px;
-        let uneven = drawn_width(&scene::thicken_left_half(&scene.pen), &scene.lines, scene::PEN_PX).deviation_px;
+        let sample = sample_lines::crossing_lines();
+        let even = drawn_width(&sample.pen, &sample.lines, sample_lines::PEN_PX).deviation_px;
+        let uneven = drawn_width(&sample_lines::thicken_left_half(&sample.pen), &sample.lines, sample_lines::PEN_PX)
+            .deviation_px;
         assert!(uneven > even + 0.5, "{even} {uneven}");
     }
 
     #[test]
     fn places_near_another_line_are_left_out() {
-        let scene = scene::crossing_lines();
-        let grid = SampleGrid::new(&scene.lines.samples, 8.0);
-        let alone = scene.lines.samples.iter().filter(|sample| grid.is_alone(sample)).count();
-        assert!(alone > 0 && alone < scene.lines.samples.len());
+        let sample = sample_lines::crossing_lines();
+        let grid = SampleGrid::new(&sample.lines.samples, 8.0);
+        let alone = sample.lines.samples.iter().filter(|sample| grid.is_alone(sample)).count();
+        assert!(alone > 0 && alone < sample.lines.samples.len());
     }
 
     #[test]
     fn nothing_to_measure_is_zero() {
-        let scene = scene::crossing_lines();
-        let blank = Ink::blank(scene.pen.width(), scene.pen.height());
-        assert_eq!(drawn_width(&blank, &scene.lines, scene::PEN_PX), DrawnWidth::default());
-        assert_eq!(drawn_width(&scene.pen, &TrueLines::default(), scene::PEN_PX), DrawnWidth::default());
+        let sample = sample_lines::crossing_lines();
+        let blank = Ink::blank(sample.pen.width(), sample.pen.height());
+        assert_eq!(drawn_width(&blank, &sample.lines, sample_lines::PEN_PX), DrawnWidth::default());
+        assert_eq!(drawn_width(&sample.pen, &TrueLines::default(), sample_lines::PEN_PX), DrawnWidth::default());
     }
 }

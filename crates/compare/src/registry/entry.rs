@@ -1,11 +1,9 @@
 //! [`Entry`]: a method with what it can do, its type erased.
 
 use silhouette_core::method::{ExtractionStats, ExtractsCurves, OptionValues, PrepareError};
-use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, PreparedMesh, Progress};
+use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOptions, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, Viewpoint};
-use silhouette_gpu::{
-    DrawsLines, FillsImage, FrameRenderer, MeshBuffers, PenPlacement, RendererError, TargetFormats,
-};
+use silhouette_gpu::{DrawsLines, FillsImage, FrameRenderer, MeshBuffers, PenPlacement, RendererError, TargetFormats};
 use silhouette_render::Gpu;
 use std::fmt;
 use std::sync::Arc;

@@ -1,21 +1,16 @@
 //! The interactive chart of extraction times over faces, both axes logarithmic, with a fitted law for each method.
 
-use super::COLORS;
+use super::chart::{COLORS, symbol};
 use crate::scaling::{ExtractionRow, Series};
-use plotly::common::{Anchor, HoverInfo, Line, Marker, MarkerSymbol, Mode, Orientation, Title};
+use plotly::common::{Anchor, HoverInfo, Line, Marker, Mode, Orientation, Title};
 use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};
 use plotly::{Configuration, Layout, Plot, Scatter};
-
-/// Shapes of the dots: the first for as many series as there are colours, then the next.
-const SYMBOLS: [MarkerSymbol; 4] =
-    [MarkerSymbol::Circle, MarkerSymbol::Diamond, MarkerSymbol::Square, MarkerSymbol::TriangleUp];
 
 /// The chart as an element of a page with this id; colours in the order of the series.
 pub(super) fn chart(id: &str, all: &[Series<'_>]) -> String {
     let mut plot = Plot::new();
     for (index, series) in all.iter().enumerate() {
         let color = COLORS[index % COLORS.len()];
-        let symbol = SYMBOLS[index / COLORS.len() % SYMBOLS.len()].clone();
         let growth = series.growth();
         let law = growth.as_ref().map(|growth| format!(" ~ faces^{:.2}", growth.law.exponent)).unwrap_or_default();
         plot.add_trace(
@@ -28,7 +23,7 @@ pub(super) fn chart(id: &str, all: &[Series<'_>]) -> String {
             .mode(Mode::Markers)
             .hover_info(HoverInfo::Text)
             .hover_text_array(series.rows.iter().map(|row| hover_text(row)).collect())
-            .marker(Marker::new().size(9).color(color).symbol(symbol)),
+            .marker(Marker::new().size(9).color(color).symbol(symbol(index))),
         );
         let Some(growth) = growth else { continue };
         let ends = growth.faces.map(|faces| faces as f64);

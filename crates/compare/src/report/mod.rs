@@ -3,24 +3,29 @@
 //! | file | holds |
 //! |---|---|
 //! | `index.html` | charts, pictures and tables for people; asks nothing of the network |
-//! | `results.jsonl` | one full [`Record`] a line |
-//! | `results.csv` | the same, flat |
-//! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`] a line |
-//! | `images/*.png` | what each method drew, the truth, the difference |
+//! | `run.json` | the scene, the machine, the adapter and the program, and which methods refused which mesh: what all results have in common |
+//! | `results.jsonl` | one [`Cell`] per line, its scored frames nested in it |
+//! | `results.csv` | the same as a [flat table](crate::record::flat): one row per scored frame, one column per option |
+//! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`] per line |
+//! | `images/*.png` | what each cell drew, the truth, the difference |
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
 mod chart;
 mod extraction_chart;
+mod measure;
 mod page;
 mod summary;
 
 pub use chart::COLORS;
-pub use summary::{CellSummary, MeshSummary, summarise};
 
-use crate::record::Record;
+use crate::machine::RunDescription;
+use crate::record::Cell;
+use crate::record::flat::Table;
 use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
-use crate::runner::{Comparison, PictureSet};
-use crate::scaling::{ExtractionRow, rows_of_records, write_rows};
+use crate::runner::{Comparison, LeftOut};
+use crate::scaling::{ExtractionRow, rows_of_cells, write_rows};
+use crate::scene::Scene;
+use serde::Serialize;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -74,12 +79,14 @@ pub enum ReportError {
 /// [`ReportError`]; whatever was at `directory` before is still there.
 pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, ReportError> {
     let mut staged = StagedDirectory::begin(directory, REPORT)?;
-    write_jsonl(&comparison.records, &staged.file("results.jsonl")?)?;
-    write_csv(&comparison.records, &staged.file("results.csv")?)?;
-    let extractions = [rows_of_records(&comparison.records), comparison.peers.clone()].concat();
+    write_run(comparison, &staged.file("run.json")?)?;
+    write_cells(&comparison.cells, &staged.file("results.jsonl")?)?;
+    write_table(&Table::of(&comparison.cells), &staged.file("results.csv")?)?;
+    let own = rows_of_cells(&comparison.cells, &comparison.run);
+    let extractions = [own, comparison.peers.clone()].concat();
     write_extractions(&extractions, &staged.file("extraction.jsonl")?)?;
     for (index, set) in comparison.pictures.iter().enumerate() {
-        for (name, picture) in picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
+        for (name, picture) in page::picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
             picture.save_png(&staged.file(name)?)?;
         }
     }
@@ -90,16 +97,27 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     Ok(directory.join("index.html"))
 }
 
-/// Paths of a set's pictures inside of the report. They hold no text of a user's.
-fn picture_names(index: usize, set: &PictureSet) -> [String; 3] {
-    ["drawn", "truth", "difference"].map(|what| format!("images/{index:03}-{}-{what}.png", set.method))
+/// What all results of a run have in common.
+#[derive(Serialize)]
+struct RunFile<'a> {
+    scene: &'a Scene,
+    run: &'a RunDescription,
+    left_out: &'a [LeftOut],
 }
 
-fn write_jsonl(records: &[Record], path: &Path) -> Result<(), ReportError> {
+fn write_run(comparison: &Comparison, path: &Path) -> Result<(), ReportError> {
+    let Comparison { scene, run, left_out, .. } = comparison;
+    let failed = |source| ReportError::Io { path: path.to_owned(), source };
+    let text = serde_json::to_string_pretty(&RunFile { scene, run, left_out });
+    let text = text.map_err(|error| failed(error.into()))?;
+    std::fs::write(path, text + "\n").map_err(failed)
+}
+
+fn write_cells(cells: &[Cell], path: &Path) -> Result<(), ReportError> {
     let failed = |source| ReportError::Io { path: path.to_owned(), source };
     let mut out = BufWriter::new(std::fs::File::create(path).map_err(failed)?);
-    for record in records {
-        serde_json::to_writer(&mut out, record).map_err(|error| failed(error.into()))?;
+    for cell in cells {
+        serde_json::to_writer(&mut out, cell).map_err(|error| failed(error.into()))?;
         out.write_all(b"\n").map_err(failed)?;
     }
     out.flush().map_err(failed)
@@ -111,12 +129,12 @@ fn write_extractions(rows: &[ExtractionRow], path: &Path) -> Result<(), ReportEr
     written.map_err(|source| ReportError::Io { path: path.to_owned(), source })
 }
 
-fn write_csv(records: &[Record], path: &Path) -> Result<(), ReportError> {
+fn write_table(table: &Table, path: &Path) -> Result<(), ReportError> {
     let failed = |source| ReportError::Table { path: path.to_owned(), source };
     let mut out = csv::Writer::from_path(path).map_err(failed)?;
-    out.write_record(Record::columns()).map_err(failed)?;
-    for record in records {
-        out.write_record(record.row()).map_err(failed)?;
+    out.write_record(&table.columns).map_err(failed)?;
+    for row in &table.rows {
+        out.write_record(row).map_err(failed)?;
     }
     out.flush().map_err(|error| failed(error.into()))
 }
@@ -124,53 +142,65 @@ fn write_csv(records: &[Record], path: &Path) -> Result<(), ReportError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::{Profile, tests as sample};
+    use crate::metrics::PictureKind;
+    use crate::options::OptionSettings;
+    use crate::record::tests as sample;
+    use crate::runner::PictureSet;
     use crate::scaling::{read_rows, row};
+    use crate::scene::Profile;
     use silhouette_render::Image;
 
     /// A comparison on a mesh whose name would break out of a page, a script or a table.
     pub(super) fn comparison() -> Comparison {
         let mesh = "</script><img src=x onerror=alert(1)>\",'\n{{ 7*7 }}";
         let picture = Image { width: 2, height: 2, rgba: vec![255; 16] };
-        let set = |method: &str| PictureSet {
+        let set = |cell: &Cell| PictureSet {
             mesh: mesh.to_owned(),
-            method: method.to_owned(),
-            options: String::new(),
-            view: 0,
+            method: cell.method.clone(),
+            options: OptionSettings::default(),
+            picture: PictureKind::Lines,
+            frame: 5,
             drawn: picture.clone(),
             truth: picture.clone(),
             difference: picture.clone(),
         };
+        let cells = vec![
+            sample::cell(mesh, "brute-force", 4.0, 0.25),
+            sample::cell(mesh, "image-precision", 2.0, 0.5),
+            sample::fill_cell(mesh, "fine-mesh", 2.0, 0.5),
+        ];
         Comparison {
-            profile: Profile::Quick,
+            scene: Profile::Quick.scene(),
             run: sample::run(),
-            methods: crate::registry::all().iter().collect(),
-            records: vec![
-                sample::record(mesh, "brute-force", 4.0, 0.25),
-                sample::record(mesh, "image-precision", 2.0, 0.5),
-            ],
+            methods: crate::registry::Registry::builtin().entries().to_vec(),
             left_out: Vec::new(),
-            pictures: vec![set("brute-force"), set("image-precision")],
+            pictures: cells.iter().map(set).collect(),
+            cells,
             peers: (1..=4).map(|step| row("<b>peer", "m", mesh, step * 100, step as f64)).collect(),
         }
     }
 
     #[test]
-    fn files_hold_every_record() {
+    fn files_hold_every_cell_and_what_they_have_in_common_once() {
         let dir = tempfile::tempdir().unwrap();
         let comparison = comparison();
         let page = write(&comparison, &dir.path().join("report")).unwrap();
         let folder = page.parent().unwrap();
-        let lines = std::fs::read_to_string(folder.join("results.jsonl")).unwrap();
-        let records: Vec<Record> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-        assert_eq!(records, comparison.records);
+        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+        let lines = read("results.jsonl");
+        let cells: Vec<Cell> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        assert_eq!(cells, comparison.cells);
         let extractions = read_rows(&folder.join("extraction.jsonl")).unwrap();
-        assert_eq!(extractions[..2], rows_of_records(&comparison.records));
-        assert_eq!(extractions[2..], comparison.peers);
+        let own = rows_of_cells(&comparison.cells, &comparison.run);
+        assert_eq!(extractions, [own, comparison.peers.clone()].concat());
         let mut table = csv::Reader::from_path(folder.join("results.csv")).unwrap();
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
-        assert_eq!((rows.len(), &rows[0][0]), (2, comparison.records[0].mesh.name.as_str()));
+        assert_eq!((rows.len(), &rows[0][0]), (3, comparison.cells[0].mesh.name.as_str()));
         assert!(folder.join("images/001-image-precision-difference.png").is_file());
+        // The machine is stated once.
+        let run: serde_json::Value = serde_json::from_str(&read("run.json")).unwrap();
+        assert_eq!((&run["run"]["cpu"], &run["scene"]["path"]["frames"]), (&"a <processor>".into(), &60.into()));
+        assert!([lines, read("results.csv")].iter().all(|text| !text.contains("a <processor>")));
     }
 
     #[test]
@@ -179,7 +209,7 @@ mod tests {
         let target = dir.path().join("report");
         write(&comparison(), &target).unwrap();
         let mut smaller = comparison();
-        smaller.records.truncate(1);
+        smaller.cells.truncate(1);
         smaller.pictures.truncate(1);
         write(&smaller, &target).unwrap();
         assert!(!target.join("images/001-image-precision-drawn.png").exists());

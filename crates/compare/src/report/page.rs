@@ -2,9 +2,11 @@
 
 use super::chart::{self, COLORS};
 use super::extraction_chart;
-use super::picture_names;
-use super::summary::{CellSummary, MeshSummary, summarise};
-use crate::metrics::{Better, METRICS, MetricSpec};
+use super::summary::{CellSummary, MeshSummary, baseline, summarise};
+use crate::metrics::PictureKind;
+use crate::metrics::table::{Better, MetricSpec};
+use crate::record::Cell;
+use crate::record::label::distinguishing_options;
 use crate::runner::{Comparison, PictureSet};
 use crate::scaling::{ExtractionRow, Series, series};
 use minijinja::{Environment, Value, context};
@@ -16,15 +18,20 @@ const TEMPLATE: &str = "index.html";
 pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     environment.add_template(TEMPLATE, include_str!("template.html"))?;
-    let summaries = summarise(&comparison.records);
+    let summaries = summarise(&comparison.cells);
     let meshes: Vec<Value> =
         summaries.iter().enumerate().map(|(index, summary)| mesh_section(comparison, index, summary)).collect();
+    let is_there = |kind: &PictureKind| comparison.cells.iter().any(|cell| cell.picture == *kind);
+    let kinds = PictureKind::ALL.into_iter().filter(is_there);
+    let scene = &comparison.scene;
     environment.get_template(TEMPLATE)?.render(context! {
-        profile => comparison.profile.name(),
-        size => comparison.profile.size(),
-        views => comparison.profile.views(),
-        frames => comparison.profile.frames(),
-        warm_up => comparison.profile.warm_up(),
+        scene => &scene.name,
+        size => scene.picture.size(),
+        samples => scene.picture.samples,
+        step => scene.path.step_deg.to_string(),
+        scored => scene.path.scored,
+        frames => scene.path.frames,
+        warm_up => scene.path.warm_up,
         facts => comparison.run.facts(),
         is_debug => comparison.run.build == "debug",
         is_software => comparison.run.adapter.software,
@@ -32,74 +39,124 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         meshes => meshes,
         left_out => comparison.left_out.iter().map(ToString::to_string).collect::<Vec<_>>(),
         extraction => extraction_section(extractions),
-        metrics => METRICS.iter().map(metric_row).collect::<Vec<_>>(),
+        metrics => kinds.flat_map(PictureKind::metrics).map(metric_row).collect::<Vec<_>>(),
         chart_script => Value::from_safe_string(chart::script()),
     })
 }
 
-fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary) -> Value {
-    let color_of = |method: &str| {
-        let position = comparison.methods.iter().position(|entry| entry.info.name == method);
-        COLORS[position.unwrap_or(0) % COLORS.len()]
+/// Paths of a set's pictures inside of the report. They hold no text of a user's.
+pub(super) fn picture_names(index: usize, set: &PictureSet) -> [String; 3] {
+    ["drawn", "truth", "difference"].map(|what| format!("images/{index:03}-{}-{what}.png", set.method))
+}
+
+/// Which series of the page a cell is: one for each method with its options, whatever the mesh.
+fn series_of(cells: &[Cell], cell: &Cell) -> usize {
+    let mut seen: Vec<(&str, String)> = Vec::new();
+    for other in cells {
+        let choice = (other.method.as_str(), other.options.to_string());
+        let is_new = !seen.contains(&choice);
+        if other.method == cell.method && other.options == cell.options {
+            return if is_new { seen.len() } else { seen.iter().position(|one| *one == choice).unwrap_or(0) };
+        }
+        if is_new {
+            seen.push(choice);
+        }
+    }
+    0
+}
+
+fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>) -> Value {
+    let series = |cell: &CellSummary<'_>| series_of(&comparison.cells, cell.cell);
+    let color = |cell: &CellSummary<'_>| COLORS[series(cell) % COLORS.len()];
+    let section = |kind: PictureKind| {
+        let cells = summary.of_kind(kind);
+        let id = format!("chart-{index}-{}", kind.name());
+        let sets = comparison.pictures.iter().enumerate();
+        let sets = sets.filter(|(_, set)| set.mesh == summary.mesh.name && set.picture == kind);
+        (!cells.is_empty()).then(|| {
+            context! {
+                title => match kind { PictureKind::Lines => "Lines", PictureKind::Fill => "Filled pictures" },
+                is_lines => kind == PictureKind::Lines,
+                chart => Value::from_safe_string(chart::chart(&id, kind, &cells, series)),
+                metrics => kind.metrics().map(metric_row).collect::<Vec<_>>(),
+                rows => cells.iter().map(|cell| quality_row(kind, &cells, cell, color(cell))).collect::<Vec<_>>(),
+                pictures => sets.map(|(at, set)| picture_row(comparison, at, set)).collect::<Vec<_>>(),
+            }
+        })
     };
-    let id = format!("chart-{index}");
-    let rows: Vec<Value> = summary.cells.iter().map(|cell| cell_row(summary, cell, color_of(&cell.method))).collect();
-    let sets = comparison.pictures.iter().enumerate().filter(|(_, set)| set.mesh == summary.mesh.name);
     context! {
         name => &summary.mesh.name,
         vertices => grouped(summary.mesh.vertices),
         edges => grouped(summary.mesh.edges),
         faces => grouped(summary.mesh.faces),
         visible_length => format!("{:.0}", summary.visible_length_px),
-        chart => Value::from_safe_string(chart::chart(&id, summary, color_of)),
-        rows => rows,
-        pictures => sets.map(|(at, set)| picture_row(at, set)).collect::<Vec<_>>(),
+        kinds => PictureKind::ALL.into_iter().filter_map(section).collect::<Vec<_>>(),
+        costs => summary.cells.iter().map(|cell| cost_row(cell, color(cell))).collect::<Vec<_>>(),
     }
 }
 
-fn cell_row(summary: &MeshSummary, cell: &CellSummary, color: &str) -> Value {
-    let best = |metric: &MetricSpec| {
-        let values = summary.cells.iter().map(|other| (metric.value)(&other.metrics));
-        metric.better == Better::Lower && values.fold(f64::INFINITY, f64::min) >= (metric.value)(&cell.metrics)
+fn quality_row(kind: PictureKind, cells: &[&CellSummary<'_>], summary: &CellSummary<'_>, color: &str) -> Value {
+    let is_best = |metric: &MetricSpec| {
+        let value = (metric.value)(&summary.metrics);
+        let others = || cells.iter().filter_map(|other| (metric.value)(&other.metrics));
+        let is_beaten = |value: f64| match metric.better {
+            Better::Lower => others().any(|other| other < value),
+            Better::Higher => others().any(|other| other > value),
+            Better::NearPenWidth => true,
+        };
+        cells.len() > 1 && value.is_some_and(|value| !is_beaten(value))
     };
-    let metrics = METRICS.iter().map(|metric| {
-        let value = (metric.value)(&cell.metrics);
-        context! { text => metric_text(metric, value), best => best(metric) && summary.cells.len() > 1 }
+    let metrics = kind.metrics().map(|metric| {
+        let text = (metric.value)(&summary.metrics).map(|value| metric_text(metric, value));
+        context! { text => text.unwrap_or_else(|| "–".to_owned()), best => is_best(metric) }
     });
+    let worst = summary.cell.worst_edges();
+    let is_wrong = worst.is_some_and(|edges| edges.precision < 1.0 || edges.recall < 1.0);
+    context! {
+        method => &summary.cell.method,
+        options => summary.options.to_string(),
+        color => color,
+        pen => summary.cell.pen.as_ref().map(|pen| format!("{} px, {}", pen.width_px, pen.placement)),
+        metrics => metrics.collect::<Vec<_>>(),
+        edges => match (worst, summary.cell.recall()) {
+            (Some(worst), Some(recall)) if is_wrong => format!(
+                "recall {recall:.4}, at worst {:.4}; precision at worst {:.4}",
+                worst.recall, worst.precision
+            ),
+            (Some(_), _) => "all, exact".to_owned(),
+            (None, _) => "draws only".to_owned(),
+        },
+        edges_wrong => is_wrong,
+    }
+}
+
+fn cost_row(summary: &CellSummary<'_>, color: &str) -> Value {
     let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), milliseconds);
     let ratio = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3}"));
-    let wrong = cell.edges.filter(|edges| edges.precision < 1.0 || edges.recall < 1.0);
+    let Cell { prepare, frame, picture, .. } = summary.cell;
     context! {
-        method => &cell.method,
-        options => &cell.options,
+        method => &summary.cell.method,
+        options => summary.options.to_string(),
         color => color,
-        pen => format!("{} px, {}", cell.pen.width_px, cell.pen.placement),
-        metrics => metrics.collect::<Vec<_>>(),
-        edges => match (cell.edges, wrong) {
-            (None, _) => "draws only".to_owned(),
-            (Some(_), None) => "all, exact".to_owned(),
-            (Some(_), Some(edges)) => {
-                format!("precision {:.4}, recall {:.4} at worst", edges.precision, edges.recall)
-            }
-        },
-        edges_wrong => wrong.is_some(),
-        prepare => milliseconds(cell.prepare.prepare_ms),
-        renderer => milliseconds(cell.prepare.renderer_ms),
-        bytes => megabytes(cell.prepare.bytes),
-        extract => optional(cell.frame.extract_ms.map(|spread| spread.median)),
-        gpu => optional(cell.frame.gpu_ms.map(|spread| spread.median)),
-        median => milliseconds(cell.frame.frame_ms.median),
-        p95 => milliseconds(cell.frame.frame_ms.p95),
-        max => milliseconds(cell.frame.frame_ms.max),
-        frame_ratio => ratio(cell.frame_ratio),
-        extract_ratio => ratio(cell.extract_ratio),
+        baseline => baseline(*picture),
+        prepare => milliseconds(prepare.prepare_ms),
+        renderer => milliseconds(prepare.renderer_ms),
+        bytes => megabytes(prepare.bytes),
+        extract => optional(frame.extract_ms.map(|spread| spread.median)),
+        gpu => optional(frame.gpu_ms.map(|spread| spread.median)),
+        median => milliseconds(frame.frame_ms.median),
+        p95 => milliseconds(frame.frame_ms.p95),
+        max => milliseconds(frame.frame_ms.max),
+        frame_ratio => ratio(summary.frame_ratio),
+        extract_ratio => ratio(summary.extract_ratio),
     }
 }
 
-fn picture_row(index: usize, set: &PictureSet) -> Value {
+fn picture_row(comparison: &Comparison, index: usize, set: &PictureSet) -> Value {
     let [drawn, truth, difference] = picture_names(index, set).map(Value::from_safe_string);
+    let options = comparison.cells.get(index).map(|cell| distinguishing_options(cell, &comparison.cells).to_string());
     context! {
-        method => &set.method, options => &set.options, view => set.view,
+        method => &set.method, options => options, frame => set.frame,
         width => set.drawn.width, height => set.drawn.height,
         drawn => drawn, truth => truth, difference => difference,
     }
@@ -137,23 +194,17 @@ fn series_row(series: &Series<'_>, color: &str) -> Value {
 }
 
 fn methods(comparison: &Comparison) -> Vec<Value> {
-    let mut rows: Vec<Value> = Vec::new();
-    let mut seen = Vec::new();
-    for entry in &comparison.methods {
-        let info = entry.info;
-        if seen.contains(&info.name) {
-            continue;
-        }
-        seen.push(info.name);
-        rows.push(context! {
+    let row = |entry: &crate::registry::Entry| {
+        let info = entry.info();
+        context! {
             name => info.name,
             summary => info.summary,
             source => format!("{}. {}. {}, {}.", info.source.authors, info.source.title, info.source.venue, info.source.year),
             needs => if info.needs.is_empty() { "positions and triangles".to_owned() } else { info.needs.join(", ") },
             options => info.options.iter().map(|option| option.name).collect::<Vec<_>>().join(", "),
-        });
-    }
-    rows
+        }
+    };
+    comparison.methods.iter().map(row).collect()
 }
 
 fn metric_row(metric: &MetricSpec) -> Value {
@@ -187,10 +238,13 @@ fn grouped(count: usize) -> String {
 mod tests {
     use super::super::tests::comparison;
     use super::*;
-    use crate::scaling::rows_of_records;
+    use crate::metrics::METRICS;
+    use crate::options::OptionSetting;
+    use crate::record::tests::{cell, with_option};
+    use crate::scaling::rows_of_cells;
 
     fn rendered(comparison: &Comparison) -> String {
-        let extractions = [rows_of_records(&comparison.records), comparison.peers.clone()].concat();
+        let extractions = [rows_of_cells(&comparison.cells, &comparison.run), comparison.peers.clone()].concat();
         render(comparison, &extractions).unwrap()
     }
 
@@ -199,7 +253,7 @@ mod tests {
         let page = rendered(&comparison());
         assert!(page.contains("id=\"chart-extraction\"") && page.contains("&lt;b&gt;peer: m</td>"));
         assert!(page.contains("<td>1.00</td><td>1.000</td><td>all meshes</td>"), "the peer's growth is stated");
-        let alone = Comparison { peers: Vec::new(), records: Vec::new(), ..comparison() };
+        let alone = Comparison { peers: Vec::new(), cells: Vec::new(), ..comparison() };
         assert!(!rendered(&alone).contains("chart-extraction"));
     }
 
@@ -207,7 +261,7 @@ mod tests {
     fn what_a_user_named_is_escaped_everywhere() {
         let comparison = comparison();
         let page = rendered(&comparison);
-        let name = &comparison.records[0].mesh.name;
+        let name = &comparison.cells[0].mesh.name;
         assert!(!page.contains(name.as_str()) && !page.contains("<img src=x"), "the name must not break out");
         assert!(page.contains("&lt;img src=x onerror=alert(1)&gt;"));
         assert!(page.contains("{{ 7*7 }}"), "names are not templates");
@@ -215,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_out_is_said() {
+    fn what_is_left_out_is_stated() {
         let reason = "3 edges join <b>".to_owned();
         let left_out = vec![crate::LeftOut { mesh: "m".to_owned(), method: "tracking", reason }];
         let page = rendered(&Comparison { left_out, ..comparison() });
@@ -237,8 +291,12 @@ mod tests {
     fn the_page_shows_methods_metrics_and_pictures() {
         let comparison = comparison();
         let page = rendered(&comparison);
-        for text in ["images/000-brute-force-drawn.png", "images/001-image-precision-difference.png", "id=\"chart-0\""]
-        {
+        for text in [
+            "images/000-brute-force-drawn.png",
+            "images/001-image-precision-difference.png",
+            "id=\"chart-0-lines\"",
+            "id=\"chart-0-fill\"",
+        ] {
             assert!(page.contains(text), "{text}");
         }
         for metric in &METRICS {
@@ -247,6 +305,29 @@ mod tests {
         for entry in &comparison.methods {
             assert!(page.contains(entry.info.source.title), "{}", entry.info.name);
         }
+    }
+
+    #[test]
+    fn a_method_with_several_options_is_shown_once_for_each() {
+        let mut comparison = comparison();
+        for level in [0.0, 0.5] {
+            let cell = cell("sweep", "tracking", 1.0 + level, level);
+            comparison.cells.push(with_option(cell, "concavity", OptionSetting::Number(level)));
+        }
+        let page = rendered(&comparison);
+        for options in ["concavity=0", "concavity=0.5"] {
+            // In the tables of quality and of cost.
+            let row = format!("tracking<span class=\"options\">{options}</span>");
+            assert_eq!(page.matches(&row).count(), 2, "{options}");
+            assert!(page.contains(&format!("tracking ({options})")), "{options} in the chart");
+        }
+    }
+
+    #[test]
+    fn the_page_states_what_the_clock_covers() {
+        let page = rendered(&comparison());
+        assert!(page.contains("A frame is one submission") && page.contains("nothing is read back inside the clock"));
+        assert!(page.contains("6 of them are scored"));
     }
 
     #[test]

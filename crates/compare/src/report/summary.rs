@@ -1,148 +1,124 @@
-//! Records of all views of a mesh and method, drawn together.
+//! Cells of a mesh, with what is derived from them for people.
 
-use crate::cost::{FrameCost, PrepareCost, Spread};
-use crate::metrics::{LineMetrics, METRICS, MetricSpec};
-use crate::pareto::pareto_front;
-use crate::record::{EdgeScore, MeshRecord, PenRecord, Record};
-use crate::registry::BASELINE;
-use serde::Serialize;
+use crate::cost::Spread;
+use crate::metrics::PictureKind;
+use crate::metrics::table::PictureMetrics;
+use crate::options::OptionSettings;
+use crate::record::label::{distinguishing_options, label};
+use crate::record::{Cell, MeshRecord};
+use crate::registry;
 
-/// A mesh with its methods.
-#[derive(Debug, Clone, Serialize)]
-pub struct MeshSummary {
+/// A mesh with its cells.
+#[derive(Debug, Clone)]
+pub struct MeshSummary<'a> {
     /// The mesh.
-    pub mesh: MeshRecord,
-    /// Number of views.
-    pub views: usize,
-    /// Visible silhouette on the mean of the views, in pixels.
+    pub mesh: &'a MeshRecord,
+    /// Visible silhouette averaged over the scored frames, in pixels.
     pub visible_length_px: f64,
-    /// Its methods, in the order of the records.
-    pub cells: Vec<CellSummary>,
+    /// Its cells, in the order of the comparison.
+    pub cells: Vec<CellSummary<'a>>,
 }
 
-/// A method on a mesh.
-#[derive(Debug, Clone, Serialize)]
-pub struct CellSummary {
-    /// Name of the method.
-    pub method: String,
-    /// Its options.
-    pub options: String,
-    /// The pen.
-    pub pen: PenRecord,
-    /// Metrics on the mean of the views, each view counting the same.
-    pub metrics: LineMetrics,
-    /// Fewest edges found, lowest precision and recall of all views.
-    pub edges: Option<EdgeScore>,
-    /// Cost of the preparation.
-    pub prepare: PrepareCost,
-    /// Cost of frames.
-    pub frame: FrameCost,
-    /// Median frame time over that of the [`BASELINE`] on the same mesh in the same run.
+/// A cell.
+#[derive(Debug, Clone)]
+pub struct CellSummary<'a> {
+    /// The cell.
+    pub cell: &'a Cell,
+    /// The method's name, with the options that distinguish it from others of the method.
+    pub label: String,
+    /// Those options.
+    pub options: OptionSettings,
+    /// Metrics averaged over the scored frames, each counting the same.
+    pub metrics: PictureMetrics,
+    /// Median frame time over that of the [baseline](baseline) on the same mesh in the same run.
     pub frame_ratio: Option<f64>,
     /// The same ratio of median times of the extraction alone.
     pub extract_ratio: Option<f64>,
 }
 
-impl MeshSummary {
-    /// Indices of the cells that no other beats in both median frame time and `metric`.
-    pub fn front(&self, metric: &MetricSpec) -> Vec<usize> {
-        let point = |cell: &CellSummary| [cell.frame.frame_ms.median, (metric.value)(&cell.metrics)];
-        pareto_front(&self.cells.iter().map(point).collect::<Vec<_>>())
+/// The method that speeds of one kind of picture are stated as ratios to.
+pub fn baseline(kind: PictureKind) -> &'static str {
+    match kind {
+        PictureKind::Lines => registry::BASELINE,
+        PictureKind::Fill => "fine-mesh",
     }
 }
 
-/// Draws records together, meshes and methods in the order of their first record. O(records x cells).
-pub fn summarise(records: &[Record]) -> Vec<MeshSummary> {
-    let mut meshes: Vec<MeshSummary> = Vec::new();
-    for record in records {
-        if meshes.iter().any(|mesh| mesh.mesh == record.mesh) {
-            continue;
-        }
-        let of_mesh: Vec<&Record> = records.iter().filter(|other| other.mesh == record.mesh).collect();
-        meshes.push(summarise_mesh(&of_mesh));
+impl<'a> MeshSummary<'a> {
+    /// The cells whose pictures are of one kind.
+    pub fn of_kind(&self, kind: PictureKind) -> Vec<&CellSummary<'a>> {
+        self.cells.iter().filter(|summary| summary.cell.picture == kind).collect()
     }
+}
+
+/// Groups cells by mesh, in the order of each mesh's first cell. O(cells squared).
+pub fn summarise(cells: &[Cell]) -> Vec<MeshSummary<'_>> {
+    let mut meshes: Vec<MeshSummary<'_>> = Vec::new();
+    for cell in cells {
+        let Some(metrics) = cell.mean_metrics() else { continue };
+        let at = meshes.iter().position(|mesh| *mesh.mesh == cell.mesh).unwrap_or_else(|| {
+            let lengths = || cell.views.iter().map(|view| view.truth.visible_length_px);
+            let visible_length_px = lengths().sum::<f64>() / lengths().count() as f64;
+            meshes.push(MeshSummary { mesh: &cell.mesh, visible_length_px, cells: Vec::new() });
+            meshes.len() - 1
+        });
+        meshes[at].cells.push(CellSummary {
+            cell,
+            label: label(cell, cells),
+            options: distinguishing_options(cell, cells),
+            metrics,
+            frame_ratio: None,
+            extract_ratio: None,
+        });
+    }
+    meshes.iter_mut().for_each(state_ratios);
     meshes
 }
 
-fn summarise_mesh(records: &[&Record]) -> MeshSummary {
-    let mut cells: Vec<CellSummary> = Vec::new();
-    let mut views = 0;
-    for record in records {
-        if cells.iter().any(|cell| cell.method == record.method && cell.options == record.options) {
-            continue;
+fn state_ratios(mesh: &mut MeshSummary<'_>) {
+    for kind in PictureKind::ALL {
+        let is_baseline = |cell: &&Cell| cell.picture == kind && cell.method == baseline(kind);
+        let Some(baseline) = mesh.cells.iter().map(|summary| summary.cell).find(is_baseline) else { continue };
+        let ratio = |ours: Spread, theirs: Spread| Some(ours.median / theirs.median).filter(|ratio| ratio.is_finite());
+        for summary in mesh.cells.iter_mut().filter(|summary| summary.cell.picture == kind) {
+            let (ours, theirs) = (&summary.cell.frame, &baseline.frame);
+            summary.frame_ratio = ratio(ours.frame_ms, theirs.frame_ms);
+            let extract = ours.extract_ms.zip(theirs.extract_ms);
+            summary.extract_ratio = extract.and_then(|(ours, theirs)| ratio(ours, theirs));
         }
-        let is_same = |other: &&&Record| other.method == record.method && other.options == record.options;
-        let of_cell: Vec<&Record> = records.iter().filter(is_same).copied().collect();
-        views = views.max(of_cell.len());
-        cells.push(summarise_cell(&of_cell));
     }
-    let baseline = cells.iter().find(|cell| cell.method == BASELINE).map(|cell| cell.frame);
-    for cell in &mut cells {
-        let ratio =
-            |ours: Spread, baseline: Spread| Some(ours.median / baseline.median).filter(|ratio| ratio.is_finite());
-        cell.frame_ratio = baseline.and_then(|baseline| ratio(cell.frame.frame_ms, baseline.frame_ms));
-        cell.extract_ratio = baseline.and_then(|baseline| ratio(cell.frame.extract_ms?, baseline.extract_ms?));
-    }
-    let lengths = records.iter().map(|record| record.truth.visible_length_px);
-    let visible_length_px = lengths.sum::<f64>() / records.len() as f64;
-    MeshSummary { mesh: records[0].mesh.clone(), views, visible_length_px, cells }
-}
-
-fn summarise_cell(records: &[&Record]) -> CellSummary {
-    let first = records[0];
-    let worst = |a: EdgeScore, b: EdgeScore| EdgeScore {
-        found: a.found.min(b.found),
-        precision: a.precision.min(b.precision),
-        recall: a.recall.min(b.recall),
-    };
-    CellSummary {
-        method: first.method.clone(),
-        options: first.options.clone(),
-        pen: first.pen.clone(),
-        metrics: mean_metrics(records),
-        edges: records.iter().filter_map(|record| record.edges).reduce(worst),
-        prepare: first.prepare,
-        frame: first.frame,
-        frame_ratio: None,
-        extract_ratio: None,
-    }
-}
-
-fn mean_metrics(records: &[&Record]) -> LineMetrics {
-    let mut mean = LineMetrics::default();
-    for metric in &METRICS {
-        let sum: f64 = records.iter().map(|record| (metric.value)(&record.metrics)).sum();
-        *(metric.value_mut)(&mut mean) = sum / records.len() as f64;
-    }
-    mean
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics;
-    use crate::record::tests::record;
+    use crate::options::OptionSetting;
+    use crate::record::tests::{cell, fill_cell, with_option};
 
     #[test]
-    fn views_are_averaged_and_the_worst_edge_score_is_kept() {
-        let mut worse = record("a", BASELINE, 4.0, 3.0);
-        worse.edges = Some(EdgeScore { found: 9, precision: 0.5, recall: 0.75 });
-        let records =
-            [record("a", BASELINE, 4.0, 1.0), worse, record("a", "fast", 1.0, 5.0), record("b", "fast", 1.0, 0.0)];
-        let meshes = summarise(&records);
-        assert_eq!(meshes.iter().map(|mesh| mesh.cells.len()).collect::<Vec<_>>(), [2, 1]);
-        let cell = &meshes[0].cells[0];
-        assert!((cell.metrics.chamfer_px - 2.0).abs() < 1e-12 && (cell.metrics.width_mean_px - 2.0).abs() < 1e-12);
-        assert_eq!(cell.edges, Some(EdgeScore { found: 4, precision: 0.5, recall: 0.75 }));
-        assert_eq!((meshes[0].views, meshes[0].cells[1].frame_ratio), (2, Some(0.25)));
+    fn cells_are_grouped_by_mesh_and_set_beside_their_baseline() {
+        let cells = [
+            cell("a", registry::BASELINE, 4.0, 1.0),
+            cell("a", "fast", 1.0, 5.0),
+            cell("b", "fast", 1.0, 0.0),
+            fill_cell("a", "fine-mesh", 8.0, 0.0),
+            fill_cell("a", "texture", 2.0, 0.5),
+        ];
+        let meshes = summarise(&cells);
+        assert_eq!(meshes.iter().map(|mesh| mesh.cells.len()).collect::<Vec<_>>(), [4, 1]);
+        let ratios = |mesh: usize| meshes[mesh].cells.iter().map(|cell| cell.frame_ratio).collect::<Vec<_>>();
+        assert_eq!(ratios(0), [Some(1.0), Some(0.25), Some(1.0), Some(0.25)], "each kind has its own baseline");
+        assert_eq!(ratios(1), [None], "no baseline on this mesh");
         assert_eq!(meshes[0].cells[1].extract_ratio, Some(0.25));
-        assert_eq!(meshes[1].cells[0].frame_ratio, None, "no baseline on this mesh");
+        assert_eq!(meshes[0].of_kind(PictureKind::Fill).len(), 2);
     }
 
     #[test]
-    fn the_front_leaves_out_what_is_beaten() {
-        let records = [record("a", "x", 4.0, 1.0), record("a", "y", 1.0, 3.0), record("a", "z", 5.0, 2.0)];
-        let metric = metrics::find("chamfer_px").unwrap();
-        assert_eq!(summarise(&records)[0].front(metric), [1, 0]);
+    fn a_method_with_several_options_is_several_cells() {
+        let level = |level: f64| with_option(cell("a", "m", level, level), "level", OptionSetting::Number(level));
+        let cells = [level(1.0), level(2.0)];
+        let meshes = summarise(&cells);
+        let labels: Vec<_> = meshes[0].cells.iter().map(|cell| cell.label.as_str()).collect();
+        assert_eq!(labels, ["m (level=1)", "m (level=2)"]);
     }
 }

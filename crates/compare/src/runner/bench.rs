@@ -1,208 +1,167 @@
-//! One mesh of a comparison: its truth, and the methods that are run on it.
+//! One mesh of a comparison: the cells that are run on it.
 
-use super::{CompareConfig, CompareError, Comparison, LeftOut, MethodChoice, NamedMesh, PictureSet};
-use crate::camera_path::Orbit;
+use super::comparison::{Comparison, LeftOut, PictureSet};
+use super::error::CompareError;
+use super::follow::{FollowError, Followed, ScoredFrame, follow};
+use super::frame_source::{FrameSource, Output};
+use super::subject::Subject;
+use super::truths::{Scored, Truths};
 use crate::cost::{FrameCost, PrepareCost};
-use crate::drawing::{DrawError, Drawing, FrameStyle};
-use crate::metrics::{Ink, LineMetrics, TruePen, measure};
-use crate::picture::difference;
-use crate::record::{EdgeScore, MeshRecord, PenRecord, Record, TruthRecord, ViewRecord};
-use crate::registry::Prepared;
-use crate::truth::{Truth, TruthFinder};
+use crate::drawing::{DrawError, Drawing, FrameStyle, Ground};
+use crate::metrics::PictureKind;
+use crate::options::OptionSettings;
+use crate::record::{CameraRecord, Cell, PenRecord, View};
+use crate::scene::{MethodChoice, Scene};
 use rayon::prelude::*;
 use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
-use silhouette_core::{Cancelled, PreparedMesh, Progress, SilhouetteEdges};
-use silhouette_gpu::{Pen, PenPlacement};
-use silhouette_render::{Gpu, Image};
-use std::collections::HashMap;
+use silhouette_core::{PreparedMesh, Progress};
+use silhouette_gpu::PenPlacement;
+use silhouette_render::Gpu;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// A mesh with its truth, on which methods are run one after another.
+/// A mesh with its truth, on which cells are run one after another.
 pub(super) struct Bench<'a> {
-    config: &'a CompareConfig,
+    scene: &'a Scene,
     gpu: &'a Gpu,
     progress: &'a dyn Progress,
-    mesh: &'a NamedMesh,
-    record: MeshRecord,
-    animation: Vec<Camera>,
-    truths: Vec<Truth>,
-    /// Ink of the truth, one a view, for each placement of the pen that was asked for.
-    pens: HashMap<PenPlacement, Vec<Ink>>,
-}
-
-/// The view of which the report shows pictures: every profile has a first one.
-const PICTURED_VIEW: usize = 0;
-
-/// What a method answered in one view.
-struct AnsweredView {
-    picture: Image,
-    edges: Option<EdgeScore>,
+    subject: &'a Subject,
+    /// All frames of the path, warm-up frames first.
+    cameras: Vec<Camera>,
+    /// Indices of the scored frames among them, ascending.
+    scored: Vec<usize>,
+    truths: Truths<'a>,
 }
 
 impl<'a> Bench<'a> {
-    /// Finds the truth of every view.
+    /// Finds the truth of every scored frame.
     pub fn new(
-        config: &'a CompareConfig,
-        mesh: &'a NamedMesh,
+        scene: &'a Scene,
+        subject: &'a Subject,
         gpu: &'a Gpu,
         progress: &'a dyn Progress,
     ) -> Result<Self, CompareError> {
-        let name = || mesh.name.clone();
-        let bounds = mesh.mesh.mesh().bounds().ok_or_else(|| CompareError::EmptyMesh { mesh: name() })?;
-        let (size, profile) = (config.profile.size(), config.profile);
-        let cameras =
-            |orbit: Orbit| orbit.cameras(&bounds).map_err(|source| CompareError::View { mesh: name(), source });
-        let views = cameras(Orbit::turn(config.framing, size, profile.views()))?;
-        let animation = cameras(Orbit::animation(config.framing, size, profile.warm_up() + profile.frames()))?;
-
-        let truth_failed = |source| CompareError::truth(&mesh.name, source);
-        let mut finder = TruthFinder::new(&mesh.mesh, progress).map_err(truth_failed)?;
-        progress.stage(&format!("{}: truth", mesh.name), views.len() as u64);
-        let mut truths = Vec::with_capacity(views.len());
-        for camera in &views {
-            progress.check()?;
-            truths.push(finder.find(camera, progress).map_err(truth_failed)?);
-            progress.advance(1);
-        }
-        let record = MeshRecord {
-            name: name(),
-            vertices: mesh.mesh.mesh().vertex_count(),
-            faces: mesh.mesh.mesh().face_count(),
-            edges: finder.edge_count(),
-        };
-        Ok(Self { config, gpu, progress, mesh, record, animation, truths, pens: HashMap::new() })
+        let name = || subject.mesh.name.clone();
+        let bounds = subject.mesh.mesh.mesh().bounds().ok_or_else(|| CompareError::EmptyMesh { mesh: name() })?;
+        let orbit = scene.path.orbit(scene.picture.size());
+        let cameras = orbit.cameras(&bounds).map_err(|source| CompareError::View { mesh: name(), source })?;
+        let warm_up = scene.path.warm_up as usize;
+        let scored: Vec<usize> = scene.path.scored_frames().into_iter().map(|frame| warm_up + frame as usize).collect();
+        let seen: Vec<Camera> = scored.iter().map(|&index| cameras[index]).collect();
+        let truths = Truths::find(subject, &seen, progress)?;
+        Ok(Self { scene, gpu, progress, subject, cameras, scored, truths })
     }
 
-    /// Runs a method: its answer first, its times afterwards. One that refuses the mesh is noted as left out.
-    pub fn run_method(&mut self, choice: &MethodChoice, comparison: &mut Comparison) -> Result<(), CompareError> {
-        let method = choice.entry.info.name;
-        let mesh = self.mesh.name.clone();
-        let failed = |error| match error {
-            BenchError::Cancelled(cancelled) => CompareError::Cancelled(cancelled),
-            BenchError::Draw(source) => CompareError::draw(&mesh, method, source),
-        };
-        let steps = self.truths.len() + self.animation.len();
-        self.progress.stage(&format!("{mesh}: {method}"), steps as u64);
-
-        let (mut drawing, prepare) = match self.prepare(choice) {
-            Err(BenchError::Draw(DrawError::Prepare(PrepareError::Mesh(reason)))) => {
+    /// Runs a cell: prepares the method, follows the path, scores the frames kept. A method that refuses the mesh is noted as
+    /// left out.
+    pub fn run_cell(&mut self, choice: &MethodChoice, comparison: &mut Comparison) -> Result<(), CompareError> {
+        let method = choice.entry.info().name;
+        let mesh = self.subject.mesh.name.clone();
+        self.progress.stage(&format!("{mesh}: {method}"), self.cameras.len() as u64);
+        let prepared = self.prepare(choice);
+        let (mut drawing, prepare) = match prepared {
+            Err(DrawError::Prepare(PrepareError::Mesh(reason))) => {
                 comparison.left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
                 return Ok(());
             }
-            prepared => prepared.map_err(failed)?,
+            prepared => prepared.map_err(|source| CompareError::draw(&mesh, method, source))?,
         };
-        let pen = drawing.pen();
-        self.draw_true_pens(pen)?;
-        let views = self.draw_views(&mut drawing).map_err(failed)?;
-        let frame = self.time_frames(&mut drawing).map_err(failed)?;
-
-        let inks: Vec<Ink> = views.par_iter().map(|view| Ink::from_picture(&view.picture)).collect();
-        let true_pens = &self.pens[&pen.placement];
-        let metrics: Vec<LineMetrics> = (0..views.len())
-            .into_par_iter()
-            .map(|view| {
-                let pen = TruePen { picture: &true_pens[view], width_px: pen.width_px };
-                measure(&inks[view], &self.truths[view].lines, pen)
-            })
-            .collect();
-
-        for (index, (truth, metrics)) in self.truths.iter().zip(metrics).enumerate() {
-            comparison.records.push(Record {
-                mesh: self.record.clone(),
-                method: method.to_owned(),
-                options: choice.options.to_string(),
-                profile: self.config.profile,
-                view: ViewRecord::of(index as u32, &truth.camera),
-                pen: PenRecord { width_px: pen.width_px, placement: placement_name(pen.placement).to_owned() },
-                truth: TruthRecord {
-                    silhouette_edges: truth.edges.len(),
-                    visible_length_px: truth.lines.total_length_px(),
-                },
-                edges: views[index].edges,
-                metrics,
-                prepare,
-                frame,
-                run: comparison.run.clone(),
-            });
-        }
-        let true_ink = &true_pens[PICTURED_VIEW];
-        comparison.pictures.push(PictureSet {
-            mesh,
-            method: method.to_owned(),
-            options: choice.options.to_string(),
-            view: PICTURED_VIEW as u32,
-            drawn: views[PICTURED_VIEW].picture.clone(),
-            truth: true_ink.to_picture(),
-            difference: difference(&inks[PICTURED_VIEW], true_ink),
-        });
+        let options = OptionSettings::from(&choice.options);
+        let (cell, pictures) = self.score_source(&mut drawing, method, options, prepare)?;
+        comparison.cells.push(cell);
+        comparison.pictures.push(pictures);
         Ok(())
     }
 
     /// Prepares a method for a mesh that nothing was derived from, so that its time holds everything it needs.
-    fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost), BenchError> {
-        let fresh = Arc::new(PreparedMesh::new(Arc::clone(self.mesh.mesh.mesh())));
+    fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost), DrawError> {
+        let fresh = Arc::new(PreparedMesh::new(Arc::clone(self.subject.mesh.mesh.mesh())));
         let start = Instant::now();
-        let prepared = choice.entry.prepare(&fresh, &choice.options, self.progress).map_err(DrawError::from)?;
+        let prepared = choice.entry.prepare(&fresh, &choice.options, self.progress)?;
         let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
-        let own = match &prepared {
-            Prepared::Edges(method) => method.bytes(),
-            Prepared::Lines(method) => method.bytes(),
-        };
-        let bytes = own + fresh.report().iter().map(|artefact| artefact.bytes).sum::<usize>();
+        let bytes = prepared.bytes() + fresh.report().iter().map(|artefact| artefact.bytes).sum::<usize>();
 
-        let style = FrameStyle { size: self.config.profile.size(), pen_width_px: self.config.pen_width_px, samples: 1 };
+        let Scene { picture, pen, .. } = self.scene;
+        let ground = match choice.picture {
+            PictureKind::Lines => Ground::Paper,
+            PictureKind::Fill => Ground::Transparent,
+        };
+        let (size, samples) = (picture.size(), picture.samples);
+        let style = FrameStyle { size, pen_width_px: pen.width_px, samples, ground };
         let start = Instant::now();
-        let drawing = Drawing::new(self.gpu, &fresh, prepared, style)?;
+        let drawing = Drawing::new(self.gpu, &fresh, prepared, choice.picture, style)?;
         let renderer_ms = start.elapsed().as_secs_f64() * 1000.0;
         Ok((drawing, PrepareCost { prepare_ms, renderer_ms, bytes: bytes as u64 }))
     }
 
-    /// Draws the truth of every view with this kind of pen, unless a method before had the same.
-    fn draw_true_pens(&mut self, pen: Pen) -> Result<(), CompareError> {
-        if self.pens.contains_key(&pen.placement) {
-            return Ok(());
-        }
-        let mut pictures = Vec::with_capacity(self.truths.len());
-        for truth in &self.truths {
-            self.progress.check()?;
-            pictures.push(truth.draw(pen));
-        }
-        self.pens.insert(pen.placement, pictures);
-        Ok(())
+    /// Follows the path with whatever draws the frames, and scores what was kept.
+    pub(super) fn score_source(
+        &mut self,
+        source: &mut dyn FrameSource,
+        method: &str,
+        options: OptionSettings,
+        prepare: PrepareCost,
+    ) -> Result<(Cell, PictureSet), CompareError> {
+        let output = source.output();
+        self.truths.prepare(output, self.gpu, self.progress)?;
+        let mesh = &self.subject.mesh.name;
+        let followed =
+            follow(source, &self.cameras, &self.scored, self.gpu, self.progress).map_err(|error| match error {
+                FollowError::Cancelled(cancelled) => CompareError::Cancelled(cancelled),
+                FollowError::Draw(source) => CompareError::draw(mesh, method, source),
+            })?;
+        let score = |(view, frame): (usize, &ScoredFrame)| self.truths.score(view, output, &frame.picture);
+        let scores: Vec<Scored> = followed.scored.par_iter().enumerate().map(score).collect();
+        let view = |at: usize| self.view(at, output, &followed, &scores[at]);
+        let views: Vec<View> = (0..scores.len()).map(view).collect();
+
+        let warm_up = self.scene.path.warm_up;
+        // By the last scored frame a method that keeps state has had time to lose something.
+        let pictured = views.len() - 1;
+        let [drawn, truth, difference] = scores[pictured].pictures.clone();
+        let pictures = PictureSet {
+            mesh: mesh.clone(),
+            method: method.to_owned(),
+            options: options.clone(),
+            picture: output.kind(),
+            frame: views[pictured].frame,
+            drawn,
+            truth,
+            difference,
+        };
+        let cell = Cell {
+            mesh: self.truths.mesh.clone(),
+            method: method.to_owned(),
+            options,
+            picture: output.kind(),
+            pen: match output {
+                Output::Lines(pen) => {
+                    let placement = placement_name(pen.placement).to_owned();
+                    Some(PenRecord { width_px: pen.width_px, placement })
+                }
+                Output::Fill => None,
+            },
+            prepare,
+            frame: FrameCost::of(&followed.samples, warm_up).expect("every scene times at least one frame"),
+            views,
+        };
+        Ok((cell, pictures))
     }
 
-    /// A picture of every view, and its edges scored.
-    fn draw_views(&self, drawing: &mut Drawing) -> Result<Vec<AnsweredView>, BenchError> {
-        let mut views = Vec::with_capacity(self.truths.len());
-        for truth in &self.truths {
-            self.progress.check()?;
-            drawing.draw(self.gpu, &truth.camera)?;
-            let edges = drawing.edges().map(|found| score_edges(found, &truth.edges));
-            views.push(AnsweredView { picture: drawing.picture(self.gpu)?, edges });
-            self.progress.advance(1);
+    fn view(&self, view: usize, output: Output, followed: &Followed, scored: &Scored) -> View {
+        let frame = &followed.scored[view];
+        let sample = &followed.samples[frame.index];
+        View {
+            frame: frame.index as u32 - self.scene.path.warm_up,
+            camera: CameraRecord::from(&self.cameras[frame.index]),
+            frame_ms: sample.frame_ms,
+            extract_ms: sample.extraction.map(|extraction| extraction.extract_ms),
+            truth: self.truths.record(view, output),
+            edges: frame.edges.as_ref().map(|found| self.truths.score_edges(view, found)),
+            metrics: scored.metrics,
         }
-        Ok(views)
     }
-
-    fn time_frames(&self, drawing: &mut Drawing) -> Result<FrameCost, BenchError> {
-        let mut frames = Vec::with_capacity(self.animation.len());
-        for camera in &self.animation {
-            self.progress.check()?;
-            frames.push(drawing.draw(self.gpu, camera)?);
-            self.progress.advance(1);
-        }
-        Ok(FrameCost::of(&frames, self.config.profile.warm_up()).expect("every profile times at least one frame"))
-    }
-}
-
-#[derive(Debug, thiserror::Error)]
-enum BenchError {
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    #[error(transparent)]
-    Draw(#[from] DrawError),
 }
 
 fn placement_name(placement: PenPlacement) -> &'static str {
@@ -211,10 +170,4 @@ fn placement_name(placement: PenPlacement) -> &'static str {
         PenPlacement::Inside => "inside",
         PenPlacement::Outside => "outside",
     }
-}
-
-fn score_edges(found: &SilhouetteEdges, truth: &SilhouetteEdges) -> EdgeScore {
-    let right = found.iter().filter(|&edge| truth.contains(edge)).count() as f64;
-    let share = |whole: usize| if whole == 0 { 1.0 } else { right / whole as f64 };
-    EdgeScore { found: found.len(), precision: share(found.len()), recall: share(truth.len()) }
 }

@@ -4,14 +4,14 @@
 //!    [`write_rows`]).
 //! 2. [`series()`]: the rows of one method, by size.
 //! 3. [`PowerLaw`]: time as a power of the number of faces.
-//! 4. [`rows_of_records`]: the extractions of a comparison in the same form.
+//! 4. [`rows_of_cells`]: the extractions of a comparison in the same form.
 
-mod of_records;
+mod of_cells;
 mod power_law;
 mod rows;
 mod series;
 
-pub use of_records::rows_of_records;
+pub use of_cells::rows_of_cells;
 pub use power_law::PowerLaw;
 pub use rows::{ExtractionRow, MAX_LINE_BYTES, OURS, RowFault, RowsError, read_rows, write_rows};
 pub use series::{Growth, MIN_SIZES, Series, series};

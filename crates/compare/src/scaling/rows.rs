@@ -51,16 +51,16 @@ pub struct ExtractionRow {
     /// `bytes` over `edges`.
     #[serde(default)]
     pub bytes_per_edge: Option<f64>,
-    /// Faces whose facing was evaluated, on the mean of the views.
+    /// Faces whose facing was evaluated, averaged over views.
     #[serde(default)]
     pub faces_tested: Option<f64>,
-    /// Edges looked at, on the mean of the views.
+    /// Edges looked at, averaged over views.
     #[serde(default)]
     pub edges_tested: Option<f64>,
-    /// Nodes of a hierarchy whose bounds were evaluated, on the mean of the views.
+    /// Nodes of a hierarchy whose bounds were evaluated, averaged over views.
     #[serde(default)]
     pub nodes_visited: Option<f64>,
-    /// Faces decided by exact arithmetic, on the mean of the views.
+    /// Faces decided by exact arithmetic, averaged over views.
     #[serde(default)]
     pub exact_fallbacks: Option<f64>,
     /// Processor, threads and system, as [`describe_machine`](crate::machine::describe_machine) states them.
@@ -90,7 +90,7 @@ pub enum RowsError {
         fault: RowFault,
     },
     /// The file holds no row at all.
-    #[error("{}: no row in it; write one JSON object a line", path.display())]
+    #[error("{}: no row in it; write one JSON object per line", path.display())]
     Empty {
         /// The file.
         path: PathBuf,
@@ -265,7 +265,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn labels_tell_tools_and_threads_apart() {
+    fn labels_distinguish_tools_and_threads() {
         let two = ExtractionRow { threads: 2, ..row("vtk", "filter", "x", 4, 1.0) };
         assert_eq!([row(OURS, "fast", "x", 4, 1.0).label(), two.label()], ["fast", "vtk: filter, 2 threads"]);
     }

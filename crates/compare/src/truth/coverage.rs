@@ -2,8 +2,8 @@
 //!
 //! Each edge of a polygon adds, in every row of pixels that it passes, what it covers of the pixels to its right: a
 //! trapezium of the pixel that it is in, all of those beyond. Summed along the row this is the signed area of the polygon in
-//! each pixel. There is no sampling; the error is that of adding 64-bit numbers. Where polygons overlap areas add up, so what
-//! is to count once has to be [united](super::pen) first.
+//! each pixel. There is no sampling; the only error is that of adding 64-bit numbers. Overlapping polygons add up, so unite them
+//! [first](super::pen) where overlap should count once.
 
 use glam::DVec2;
 
@@ -12,7 +12,7 @@ use glam::DVec2;
 pub struct CoverageRows {
     width: usize,
     first_row: u32,
-    /// A row after the other, one cell wider than the picture: what changes from a pixel to the next.
+    /// Row by row, one cell wider than the picture: the change of coverage from each pixel to the next.
     cells: Vec<f64>,
 }
 

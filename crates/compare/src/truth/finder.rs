@@ -1,16 +1,12 @@
 //! [`TruthFinder`]: the steps in order.
 
-use super::TrueLines;
 use super::pen;
-use super::stretches::Stretches;
-use super::strokes::strokes;
-use super::visible::{VisibleLine, visible_lines};
-use crate::metrics::Ink;
-use silhouette_core::method::{NoOptions, PrepareError};
+use super::samples::TrueLines;
+use super::visible::{Silhouette, VisibleLine, visible_lines};
+use crate::metrics::ink::Ink;
+use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
-use silhouette_core::{Cancelled, ExtractsEdges, ExtractsLoops, Method, PreparedMesh, Progress};
-use silhouette_core::{SilhouetteEdges, SilhouetteLoops, Topology};
-use silhouette_extraction::BruteForce;
+use silhouette_core::{Cancelled, FaceFacings, PreparedMesh, Progress, SilhouetteEdges, Topology};
 use silhouette_gpu::Pen;
 use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines};
 use std::sync::Arc;
@@ -19,7 +15,7 @@ use std::sync::Arc;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TruthError {
-    /// The brute-force extraction could not be prepared.
+    /// The preparation was cancelled.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
     /// The view is too crowded to be decided, or the work was stopped.
@@ -38,7 +34,7 @@ pub struct TruthFinder {
     mesh: Arc<PreparedMesh>,
     topology: Arc<Topology>,
     lines: LineFinder,
-    oracle: BruteForce,
+    facings: FaceFacings,
 }
 
 /// The truth of one view.
@@ -46,7 +42,7 @@ pub struct TruthFinder {
 pub struct Truth {
     /// The view.
     pub camera: Camera,
-    /// All silhouette edges, visible or not.
+    /// All silhouette edges by Hall's definition, visible or not.
     pub edges: SilhouetteEdges,
     /// The visible lines, sampled.
     pub lines: TrueLines,
@@ -66,7 +62,7 @@ pub fn silhouette_options() -> LineOptions {
     LineOptions { back_boundary: false, material: false, curves: false, ..LineOptions::default() }
 }
 
-/// Hands on the wish to stop, and keeps the stages of single views to itself.
+/// Forwards cancellation; suppresses the stages of single views.
 struct Quiet<'a>(&'a dyn Progress);
 
 impl Progress for Quiet<'_> {
@@ -87,7 +83,7 @@ impl TruthFinder {
             mesh: Arc::clone(mesh),
             topology: mesh.artefact("truth", progress).map_err(PrepareError::from)?,
             lines: LineFinder::new(LineScene::new(Arc::clone(mesh)), progress)?,
-            oracle: BruteForce::prepare(mesh, &NoOptions, progress)?,
+            facings: FaceFacings::default(),
         })
     }
 
@@ -101,9 +97,7 @@ impl TruthFinder {
     /// # Errors
     /// [`TruthError::Lines`].
     pub fn find(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Truth, TruthError> {
-        let visible = self.lines_down_to(0, camera, progress)?;
-        let mut edges = SilhouetteEdges::default();
-        self.oracle.extract_edges(&camera.viewpoint(), &mut edges);
+        let (edges, visible) = self.lines_down_to(0, camera, progress)?;
         Ok(Truth { camera: *camera, edges, lines: TrueLines::of(&visible), visible })
     }
 
@@ -112,26 +106,27 @@ impl TruthFinder {
     /// # Errors
     /// [`TruthError::Lines`].
     pub fn lines_seen_or_not(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<TrueLines, TruthError> {
-        Ok(TrueLines::of(&self.lines_down_to(u32::MAX, camera, progress)?))
+        Ok(TrueLines::of(&self.lines_down_to(u32::MAX, camera, progress)?.1))
     }
 
+    /// All silhouette edges, and those of their parts that at most this many layers hide.
     fn lines_down_to(
         &mut self,
         invisibility: u32,
         camera: &Camera,
         progress: &dyn Progress,
-    ) -> Result<Vec<VisibleLine>, TruthError> {
+    ) -> Result<(SilhouetteEdges, Vec<VisibleLine>), TruthError> {
         let options = LineOptions { max_invisibility: invisibility, ..silhouette_options() };
         let lines = self.find_lines(camera, &options, progress)?;
-        let mut loops = SilhouetteLoops::default();
-        self.oracle.extract_loops(&camera.viewpoint(), &mut loops);
         let mesh = self.mesh.mesh();
-        let strokes = strokes(mesh, &self.topology, &loops);
-        let stretches = Stretches::down_to(invisibility, &lines.chains, mesh, &self.topology);
-        Ok(visible_lines(mesh, &strokes, &stretches))
+        self.facings.classify(mesh, &camera.viewpoint());
+        let edges = SilhouetteEdges::of(&self.topology, &self.facings);
+        let silhouette = Silhouette { mesh, topology: &self.topology, facings: &self.facings, edges: &edges };
+        let visible = visible_lines(&lines.chains, invisibility, &silhouette);
+        Ok((edges, visible))
     }
 
-    /// Exact lines of a view, whichever are asked for.
+    /// Exact lines of a view, of the kinds that `options` selects.
     ///
     /// # Errors
     /// [`TruthError::Lines`].

@@ -3,7 +3,7 @@
 //! 1. A line becomes convex pieces: a rectangle for each segment, a sector of a disc on the outer side of each turn and,
 //!    for a pen that is centred on its line, half a disc at each end. What a centred pen covers is therefore all that lies
 //!    within half its width of the line. A pen on one side covers the strip of its width on that side and ends with the line.
-//! 2. In bands of rows, the pieces are united (`i_overlay`): ink over ink is ink, not twice ink.
+//! 2. In bands of rows, the pieces are united (`i_overlay`), so that overlapping ink counts once.
 //! 3. The union's area in each pixel is [accumulated](super::coverage).
 //!
 //! Arcs are drawn as chords that stray by at most [`ARC_PX`], coordinates are rounded to at most 2^-14 px (2^-19 px in a
@@ -11,7 +11,7 @@
 
 use super::coverage::CoverageRows;
 use super::visible::VisibleLine;
-use crate::metrics::Ink;
+use crate::metrics::ink::Ink;
 use glam::DVec2;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{Overlay, ShapeType};
@@ -58,7 +58,7 @@ struct PenOutline {
     pen: Pen,
     /// Distances to the left of the line that are covered.
     span: [f64; 2],
-    /// Steps a pixel: a power of two.
+    /// Steps per pixel: a power of two.
     scale: f64,
     points: Vec<IntPoint>,
     /// Where each piece ends in `points`.
@@ -234,17 +234,17 @@ mod tests {
     }
 
     #[test]
-    fn lines_beyond_the_border_and_pens_without_width_do_no_harm() {
+    fn lines_beyond_the_frame_and_pens_without_width_do_no_harm() {
         let through = line(&[(-20.0, 20.0), (70.0, 20.0)], false);
-        let at_the_border = line(&[(0.0, 0.0), (40.0, 0.0), (40.0, 40.0)], false);
+        let at_the_frame = line(&[(0.0, 0.0), (40.0, 0.0), (40.0, 40.0)], false);
         assert!((area(&[through], pen(PenPlacement::Centred)) - 120.0).abs() < 1e-3);
-        assert!((area(&[at_the_border], pen(PenPlacement::Centred)) - (60.0 + 60.0 - 2.25)).abs() < 1e-3);
+        assert!((area(&[at_the_frame], pen(PenPlacement::Centred)) - (60.0 + 60.0 - 2.25)).abs() < 1e-3);
         let thin = Pen { width_px: 0.0, placement: PenPlacement::Centred };
         assert!(area(&[line(&[(5.0, 5.0), (9.0, 7.0)], false)], thin).abs() < 1e-9);
         assert!(area(&[], pen(PenPlacement::Centred)).abs() < 1e-12);
     }
 
-    /// Coverage against 64 x 64 points a pixel, for a line that turns by all sorts of angles within its own width.
+    /// Coverage against 64 x 64 points per pixel, for a line that turns by all sorts of angles within its own width.
     #[test]
     fn tangled_lines_cover_what_is_within_half_a_width() {
         let points: Vec<(f64, f64)> = (0..60)

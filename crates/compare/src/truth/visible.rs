@@ -1,9 +1,9 @@
-//! Strokes cut to what is visible of them.
+//! The visible chains of a view as lines with the front face on their left.
 
-use super::stretches::{Stretch, Stretches};
-use super::strokes::{Segment, Stroke};
-use glam::DVec2;
-use silhouette_core::{EdgeId, TriangleMesh};
+use glam::{DVec2, DVec3};
+use silhouette_core::loops::start_vertex;
+use silhouette_core::{EdgeId, FaceFacings, SilhouetteEdges, Topology, TriangleMesh};
+use silhouette_visibility::{Chain, Chains, SegmentSource};
 
 /// A visible line without interruption, a front face on its left.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,114 +24,153 @@ impl VisibleLine {
     }
 }
 
-/// What follows along a stroke.
-enum Item {
-    /// A visible stretch of an edge, in the direction of the stroke.
-    Seen(EdgeId, [DVec2; 2]),
-    /// An interruption.
-    Cut,
+/// The silhouette of a view by Hall's definition, and how its edges run.
+#[derive(Debug, Clone, Copy)]
+pub struct Silhouette<'a> {
+    /// The mesh.
+    pub mesh: &'a TriangleMesh,
+    /// Its topology.
+    pub topology: &'a Topology,
+    /// Exact facings in the view.
+    pub facings: &'a FaceFacings,
+    /// The silhouette edges that follow from them.
+    pub edges: &'a SilhouetteEdges,
 }
 
-/// The visible parts of strokes, in order. O(segments log stretches).
+impl Silhouette<'_> {
+    /// From where to where a silhouette edge runs in space with a front face on its left; `None` for any other edge. At a
+    /// non-manifold edge the first of several front faces decides.
+    fn direction(&self, edge: EdgeId) -> Option<DVec3> {
+        let half_edges = self.topology.half_edges(edge);
+        let half_edge = half_edges.iter().find(|half_edge| self.facings.is_front(half_edge.face()))?;
+        let [from, to] = [*half_edge, half_edge.next_in_face()]
+            .map(|half_edge| self.mesh.positions()[start_vertex(self.mesh, half_edge).index()].as_dvec3());
+        self.edges.contains(edge).then_some(to - from)
+    }
+}
+
+/// How a segment of a chain runs along a silhouette edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// With a front face on its left.
+    Forward,
+    /// With a front face on its right.
+    Backward,
+}
+
+/// The silhouette edge that a segment lies on and how it runs; `None` for a segment on anything else.
+type Placed = Option<(EdgeId, Way)>;
+
+/// The chains of at most this invisibility, each parted where the side of its front face changes (at inconsistently wound
+/// faces) and where it leaves the silhouette. O(segments log S).
+///
+/// The chains hold a few edges that are no silhouette edges by Hall's definition, such as the near rim of a wall seen
+/// edge-on; they are left out.
 ///
 /// # Panics
-/// If the three are not of one mesh.
-pub fn visible_lines(mesh: &TriangleMesh, strokes: &[Stroke], stretches: &Stretches) -> Vec<VisibleLine> {
+/// If the chains are of another mesh.
+pub fn visible_lines(chains: &Chains, max_invisibility: u32, silhouette: &Silhouette<'_>) -> Vec<VisibleLine> {
     let mut lines = Vec::new();
-    let mut items = Vec::new();
-    for stroke in strokes {
-        items.clear();
-        for segment in &stroke.segments {
-            append(mesh, segment, stretches.on(segment.edge), &mut items);
-        }
-        collect(&items, stroke.closed, &mut lines);
+    for chain in chains.iter().filter(|chain| chain.style.invisibility <= max_invisibility) {
+        let segments: Vec<Placed> = (0..chain.sources.len()).map(|at| placed(&chain, at, silhouette)).collect();
+        part(chain.pixels, &segments, chain.closed, &mut lines);
     }
     lines
 }
 
-fn append(mesh: &TriangleMesh, segment: &Segment, stretches: &[Stretch], items: &mut Vec<Item>) {
-    let [from, to] = segment.ends.map(|vertex| mesh.positions()[vertex.index()]);
-    if from == to {
-        // An edge without length is drawn by nobody and interrupts nothing.
-        return;
-    }
-    let forward = segment.ends[0] < segment.ends[1];
-    let mut reached = 0.0;
-    for at in 0..stretches.len() {
-        let Stretch { edge, range: [begin, end], pixels: [first, last] } =
-            stretches[if forward { at } else { stretches.len() - 1 - at }];
-        let ([begin, end], pixels) =
-            if forward { ([begin, end], [first, last]) } else { ([1.0 - end, 1.0 - begin], [last, first]) };
-        if begin > reached {
-            items.push(Item::Cut);
+fn placed(chain: &Chain<'_>, segment: usize, silhouette: &Silhouette<'_>) -> Placed {
+    let SegmentSource::Edge(edge) = chain.sources[segment] else { return None };
+    let direction = silhouette.direction(edge)?;
+    let [from, to] = [segment, (segment + 1) % chain.points.len()].map(|at| chain.points[at]);
+    Some((edge, if (to - from).dot(direction) < 0.0 { Way::Backward } else { Way::Forward }))
+}
+
+/// Appends a line for each run of segments that go the same way. A closed chain is read from a change, so that no line is
+/// cut in two; without a change it is a closed line.
+fn part(points: &[DVec2], segments: &[Placed], closed: bool, lines: &mut Vec<VisibleLine>) {
+    let count = segments.len();
+    let way = |at: usize| segments[at % count].map(|(_, way)| way);
+    let change = if closed { (0..count).find(|&at| way(at) != way(at + count - 1)) } else { Some(0) };
+    let start = change.unwrap_or(0);
+    let mut at = start;
+    while at < start + count {
+        let end = (at..start + count).find(|&next| way(next) != way(at)).unwrap_or(start + count);
+        if let Some(way) = way(at) {
+            let mut line = VisibleLine {
+                points: (at..=end).map(|at| points[at % points.len()]).collect(),
+                edges: (at..end).filter_map(|at| segments[at % count]).map(|(edge, _)| edge).collect(),
+                closed: change.is_none(),
+            };
+            if line.closed {
+                // It repeats the first.
+                line.points.pop();
+            }
+            if way == Way::Backward {
+                reverse(&mut line);
+            }
+            lines.push(line);
         }
-        items.push(Item::Seen(edge, pixels));
-        reached = end;
-    }
-    if reached < 1.0 {
-        items.push(Item::Cut);
+        at = end;
     }
 }
 
-/// Makes a line of each uninterrupted part. A closed stroke starts where it is interrupted, so that none is cut in two; one
-/// that is interrupted nowhere makes a closed line.
-fn collect(items: &[Item], closed: bool, lines: &mut Vec<VisibleLine>) {
-    let cut = items.iter().position(|item| matches!(item, Item::Cut));
-    let start = if closed { cut.unwrap_or(0) } else { 0 };
-    let empty = || VisibleLine { points: Vec::new(), edges: Vec::new(), closed: false };
-    let mut line = empty();
-    for item in items[start..].iter().chain(&items[..start]).chain([&Item::Cut]) {
-        match item {
-            Item::Seen(edge, [from, to]) => {
-                if line.points.is_empty() {
-                    line.points.push(*from);
-                }
-                line.points.push(*to);
-                line.edges.push(*edge);
-            }
-            Item::Cut if line.points.is_empty() => {}
-            Item::Cut => lines.push(std::mem::replace(&mut line, empty())),
-        }
-    }
-    if closed
-        && cut.is_none()
-        && let Some(line) = lines.last_mut().filter(|line| !items.is_empty() && line.edges.len() == items.len())
-        && line.edges.len() > 2
-    {
-        // The last point repeats the first.
-        line.points.pop();
-        line.closed = true;
+fn reverse(line: &mut VisibleLine) {
+    line.points.reverse();
+    line.edges.reverse();
+    if line.closed {
+        // The segment that closed the line now starts at its first point.
+        line.edges.rotate_left(1);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Way::{Backward, Forward};
 
-    fn seen(at: u32) -> Item {
-        Item::Seen(EdgeId::new(at), [f64::from(at), f64::from(at) + 1.0].map(DVec2::splat))
-    }
-
-    fn collected(items: &[Item], closed: bool) -> Vec<(Vec<u32>, bool)> {
+    /// The edges and points of the lines that a chain with these ways is parted into; segment `i` runs from point `i`
+    /// to point `i + 1` along edge `i`.
+    fn parted(ways: &[Option<Way>], closed: bool) -> Vec<(Vec<u32>, Vec<u32>, bool)> {
+        let count = ways.len();
+        let points: Vec<DVec2> = (0..count + usize::from(!closed)).map(|at| DVec2::splat(at as f64)).collect();
+        let place = |(at, way): (usize, &Option<Way>)| way.map(|way| (EdgeId::from_usize(at), way));
+        let segments: Vec<Placed> = ways.iter().enumerate().map(place).collect();
         let mut lines = Vec::new();
-        collect(items, closed, &mut lines);
-        lines.iter().map(|line| (line.edges.iter().map(|edge| edge.get()).collect(), line.closed)).collect()
+        part(&points, &segments, closed, &mut lines);
+        let ids = |line: &VisibleLine| line.edges.iter().map(|edge| edge.get()).collect();
+        let places = |line: &VisibleLine| line.points.iter().map(|point| point.x as u32).collect();
+        lines.iter().map(|line| (ids(line), places(line), line.closed)).collect()
     }
 
     #[test]
-    fn interruptions_part_a_stroke_into_lines() {
-        let items = [seen(0), Item::Cut, seen(2), seen(3), Item::Cut, Item::Cut, seen(6)];
-        assert_eq!(collected(&items, false), [(vec![0], false), (vec![2, 3], false), (vec![6], false)]);
-        assert_eq!(collected(&items, true), [(vec![2, 3], false), (vec![6, 0], false)]);
-        assert_eq!(collected(&[], true), []);
-        assert_eq!(collected(&[Item::Cut], true), []);
+    fn a_chain_with_one_side_is_one_line() {
+        assert_eq!(parted(&[Some(Forward); 2], false), [(vec![0, 1], vec![0, 1, 2], false)]);
+        assert_eq!(parted(&[Some(Backward); 2], false), [(vec![1, 0], vec![2, 1, 0], false)]);
+        assert_eq!(parted(&[Some(Forward); 3], true), [(vec![0, 1, 2], vec![0, 1, 2], true)]);
+        assert_eq!(parted(&[Some(Backward); 3], true), [(vec![1, 0, 2], vec![2, 1, 0], true)]);
+        assert_eq!(parted(&[], false), []);
     }
 
     #[test]
-    fn a_closed_stroke_without_interruption_is_a_closed_line() {
+    fn a_chain_is_parted_where_its_side_changes() {
+        let open = parted(&[Some(Forward), Some(Backward), Some(Backward), None, Some(Forward)], false);
+        let expected = [(vec![0], vec![0, 1], false), (vec![2, 1], vec![3, 2, 1], false), (vec![4], vec![4, 5], false)];
+        assert_eq!(open, expected);
+        let closed = parted(&[Some(Forward), None, Some(Forward), Some(Forward)], true);
+        assert_eq!(closed, [(vec![2, 3, 0], vec![2, 3, 0, 1], false)], "read past the end of the chain");
+        assert_eq!(parted(&[None; 3], true), []);
+    }
+
+    /// Every segment of a reversed ring still joins the points that its edge joined.
+    #[test]
+    fn segments_keep_their_edges_when_a_ring_is_reversed() {
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec2::new(x, y));
+        let segments: Vec<Placed> = (0..4).map(|at| Some((EdgeId::new(at), Backward))).collect();
         let mut lines = Vec::new();
-        collect(&[seen(0), seen(1), seen(2)], true, &mut lines);
-        assert_eq!((lines[0].closed, lines[0].points.len(), lines[0].edges.len()), (true, 3, 3));
-        assert_eq!(lines[0].segments().last().unwrap().1, [DVec2::splat(2.0), DVec2::splat(0.0)]);
+        part(&square, &segments, true, &mut lines);
+        for (edge, [from, to]) in lines[0].segments() {
+            let at = edge.index();
+            assert_eq!([to, from], [square[at], square[(at + 1) % 4]], "{edge:?}");
+        }
     }
 }

@@ -1,14 +1,14 @@
 //! What flies the path: the paper's methods, what was added to them, and what they compete with today.
 
 use super::printed::LEVELS_RAD;
-use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
+use silhouette_core::method::{ExtractionStats, PrepareError};
 use silhouette_core::{
     ExtractsLoops, Method, PreparedMesh, Progress, SilhouetteEdges, SilhouetteLoops, Topology, Viewpoint,
 };
 use silhouette_extraction::{BruteForceSimd, ClusterCones};
 use silhouette_tracking::{
-    Accuracy, BruteForce, Concavity, ConnectivityTable, ErrorBudget, TestedEdges, TrackedEdges, Tracker, Tracking,
-    TrackerOptions,
+    Accuracy, BruteForce, Concavity, ConnectivityTable, ErrorBudget, TestedEdges, TrackedEdges, Tracker,
+    TrackerOptions, Tracking,
 };
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ impl Extractor {
             mesh: &Arc<PreparedMesh>,
             progress: &dyn Progress,
         ) -> Result<Box<dyn ExtractsLoops>, PrepareError> {
-            Ok(Box::new(M::prepare(mesh, &OptionValues::defaults(M::INFO.options), progress)?))
+            Ok(Box::new(M::prepare(mesh, &M::Options::default(), progress)?))
         }
         match self {
             Self::BruteForceSimd => boxed::<BruteForceSimd>(mesh, progress),

@@ -13,8 +13,9 @@ use silhouette_compare::truth::{TrueLines, Truth, TruthFinder};
 use silhouette_compare::{NamedMesh, Profile};
 use silhouette_core::view::{Camera, Framing, ViewPreset};
 use silhouette_core::{PreparedMesh, Progress, TriangleMesh};
+use silhouette_gpu::Cull;
 use silhouette_gpu::PenPlacement;
-use silhouette_render::{Cull, Gpu};
+use silhouette_render::Gpu;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -110,7 +111,7 @@ fn measure_mesh(run: &Run<'_>, NamedMesh { name, mesh }: &NamedMesh, gpu: &Gpu) 
     let rounds = rounds(run.profile);
     progress.stage(&format!("{name}: time"), u64::from(rounds) + 1);
     let plain = |cull| Plain::new(gpu, mesh, style(camera.size(), 1), cull);
-    let times = time(gpu, &camera, &[plain(Cull::None)?, plain(Cull::Back)?], &mut drawings, rounds, progress)?;
+    let times = time(gpu, &camera, &mut [plain(Cull::None)?, plain(Cull::Back)?], &mut drawings, rounds, progress)?;
     Ok(MeshResult {
         name: name.clone(),
         faces: mesh.mesh().face_count(),

@@ -1,16 +1,17 @@
 //! Frame times over plain rendering, in the same run.
 
 use crate::table::Range;
-use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle, PAPER};
+use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle};
 use silhouette_core::view::Camera;
 use silhouette_core::{PreparedMesh, Progress};
-use silhouette_gpu::MeshBuffers;
-use silhouette_render::{Cull, DEFAULT_FORMATS, FillPass, FillStyle, Gpu, Load, PassView, Shade, Target};
+use silhouette_gpu::{Cull, FillPipelines, FillRenderer, FillStyle, FrameRenderer, MeshBuffers};
+use silhouette_render::{DEFAULT_FORMATS, Gpu, Load, Target, view_of_mesh};
+use std::sync::Arc;
 
 /// A mesh drawn without silhouettes, in one colour.
 pub struct Plain {
-    buffers: MeshBuffers,
-    fill: FillPass,
+    mesh: Arc<MeshBuffers>,
+    fill: FillRenderer,
     target: Target,
 }
 
@@ -20,20 +21,23 @@ impl Plain {
     /// # Errors
     /// [`DrawError`].
     pub fn new(gpu: &Gpu, mesh: &PreparedMesh, style: FrameStyle, cull: Cull) -> Result<Self, DrawError> {
-        let fill = FillStyle { shade: Shade::Flat([1.0; 4]), cull };
+        let style_of_fill = FillStyle { cull, ..FillStyle::PAPER };
+        let mesh = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?);
+        let pipelines = gpu.scoped(|| FillPipelines::new(gpu.device(), DEFAULT_FORMATS, style_of_fill))?;
         Ok(Self {
-            buffers: MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?,
-            fill: FillPass::new(gpu, DEFAULT_FORMATS, fill)?,
+            fill: FillRenderer::new(gpu.device(), &Arc::new(pipelines), &mesh),
+            mesh,
             target: Target::new(gpu, style.size, DEFAULT_FORMATS)?,
         })
     }
 
-    fn frame_ms(&self, gpu: &Gpu, camera: &Camera) -> Result<f64, DrawError> {
-        let view = PassView::new(camera, self.buffers.bounds(), DEFAULT_FORMATS.depth_direction);
+    fn frame_ms(&mut self, gpu: &Gpu, camera: &Camera) -> Result<f64, DrawError> {
         let start = std::time::Instant::now();
-        self.fill.prepare(gpu, &self.buffers, &view);
-        gpu.draw(&self.target, Load::Clear(PAPER), |pass| self.fill.draw(pass, &self.buffers))?;
-        Ok(start.elapsed().as_secs_f64() * 1e3)
+        let view = view_of_mesh(camera, &self.mesh)?;
+        self.fill.prepare(gpu.device(), gpu.queue(), &view)?;
+        let prepare_ms = start.elapsed().as_secs_f64() * 1e3;
+        let pass = gpu.draw(&self.target, Load::Clear([1.0; 4]), |pass| self.fill.draw(pass))?;
+        Ok(prepare_ms + pass.wall_ms)
     }
 }
 
@@ -57,7 +61,7 @@ pub struct FrameTimes {
 pub fn time(
     gpu: &Gpu,
     camera: &Camera,
-    plain: &[Plain; 2],
+    plain: &mut [Plain; 2],
     drawings: &mut [Drawing],
     rounds: u32,
     progress: &dyn Progress,
@@ -66,7 +70,7 @@ pub fn time(
     for round in 0..=rounds {
         progress.check().map_err(|cancelled| DrawError::Prepare(cancelled.into()))?;
         let mut times = Vec::with_capacity(samples.len());
-        for plain in plain {
+        for plain in plain.iter_mut() {
             plain.frame_ms(gpu, camera)?;
             times.push(plain.frame_ms(gpu, camera)?);
         }

@@ -1,7 +1,7 @@
 //! What is drawn: every variant of the paper at the settings that its text names, and ours.
 
-use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle};
-use silhouette_compare::metrics::Ink;
+use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle, Ground};
+use silhouette_compare::metrics::{Ink, PictureKind};
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::DEFAULT_PEN_WIDTH_PX;
 use silhouette_core::method::{OptionError, OptionValues, PrepareError};
@@ -102,9 +102,6 @@ const fn variant(label: &'static str, words: &'static str, law: &'static str) ->
     Variant { label, words, law }
 }
 
-/// The method that all variants are options of.
-const METHOD: Entry = Entry::lines::<ImagePrecision>();
-
 impl Variant {
     /// Its options, defaults filled in.
     ///
@@ -126,7 +123,8 @@ impl Variant {
         progress: &dyn Progress,
     ) -> Result<Drawing, DrawError> {
         let options = self.options().map_err(PrepareError::from)?;
-        Drawing::new(gpu, mesh, METHOD.prepare(mesh, &options, progress)?, style)
+        let method: Entry = Entry::of::<ImagePrecision>().lines().into();
+        Drawing::new(gpu, mesh, method.prepare(mesh, &options, progress)?, PictureKind::Lines, style)
     }
 
     /// The ink of one view, one sample per pixel.
@@ -148,7 +146,7 @@ impl Variant {
 
 /// How all pictures are drawn: the pen of every comparison, and this many samples per pixel.
 pub fn style(size: [u32; 2], samples: u32) -> FrameStyle {
-    FrameStyle { size, pen_width_px: DEFAULT_PEN_WIDTH_PX, samples }
+    FrameStyle { size, pen_width_px: DEFAULT_PEN_WIDTH_PX, samples, ground: Ground::Paper }
 }
 
 #[cfg(test)]

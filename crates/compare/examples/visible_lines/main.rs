@@ -1,17 +1,19 @@
 //! What exact visible lines cost, and how often pictures decide otherwise:
 //! `cargo run --release --example visible_lines -- MESH...`
 //!
-//! Each mesh is seen in the views and at the size of the quick profile. Times are the best of three, and of them the median over
-//! the views. Disagreements are shares of length in pixels, over all views: a depth picture of 4 x 4 samples a pixel against
-//! the exact decision on every silhouette edge, visible or hidden; the quick mode's lines, from ids at 1 and 2 pixels a
+//! Each mesh is seen in six views around it at 512 x 512 pixels. Times are the best of three, and of them the median over
+//! the views. Disagreements are shares of length in pixels, over all views: a depth picture of 4 x 4 samples per pixel against
+//! the exact decision on every silhouette edge, visible or hidden; the quick mode's lines, from ids at 1 and 2 pixels per
 //! pixel, against the exact ones.
 
+mod depth_buffer;
+mod nearness;
+mod stretches;
+
+use depth_buffer::{Disagreement, disagreement};
+use nearness::Nearness;
 use silhouette_compare::camera_path::Orbit;
-use silhouette_compare::record::Profile;
-use silhouette_compare::truth::depth_buffer::{Disagreement, disagreement};
 use silhouette_compare::truth::finder::silhouette_options;
-use silhouette_compare::truth::nearness::Nearness;
-use silhouette_compare::truth::stretches::Stretches;
 use silhouette_compare::truth::{TruthFinder, pen};
 use silhouette_core::view::{Camera, Framing};
 use silhouette_core::{NoProgress, PreparedMesh, Topology, load};
@@ -21,8 +23,15 @@ use silhouette_visibility::{FaceIds, LineOptions, LineScene, QuickLineFinder};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
+use stretches::Stretches;
 
 const PEN: Pen = Pen { width_px: 2.0, placement: PenPlacement::Centred };
+
+/// Views around a mesh.
+const VIEWS: u32 = 6;
+
+/// Pictures in pixels.
+const SIZE: [u32; 2] = [512; 2];
 
 /// Pixels of the id picture along each side of a pixel.
 const SCALES: [u32; 2] = [1, 2];
@@ -42,7 +51,7 @@ struct Quick {
     extra_far_off_px: f64,
 }
 
-/// What a mesh showed, times in milliseconds a view.
+/// What a mesh showed, times in milliseconds per view.
 #[derive(Default)]
 struct Seen {
     truth_ms: Vec<f64>,
@@ -61,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mesh = Arc::new(PreparedMesh::new(load::load(path.as_ref())?));
         let bounds = mesh.mesh().bounds().ok_or("the mesh has no face")?;
         let framing = Framing::Perspective { fov_y_rad: 45.0_f64.to_radians() };
-        let views = Orbit::turn(framing, Profile::Quick.size(), Profile::Quick.views()).cameras(&bounds)?;
+        let views = Orbit::turn(framing, SIZE, VIEWS).cameras(&bounds)?;
         print(&path, mesh.mesh().face_count(), &look(&gpu, &mesh, &views)?);
     }
     Ok(())
@@ -158,11 +167,10 @@ fn print(path: &str, faces: usize, seen: &Seen) {
     println!("{path}: {faces} faces");
     println!("  truth {truth:.1} ms (exact lines {lines:.1}), its pen {pen:.1} ms; {:.0} px visible", seen.visible_px);
     let depth = &seen.depth;
-    let wrong = depth.wrongly_visible_px + depth.wrongly_hidden_px;
     println!(
         "  depth picture: {:.2} % of {:.0} px differ: {:.2} % hidden but called visible, {:.2} % visible but called hidden; \
          {:.2} % of the visible length is called visible and more than a pixel off",
-        percent(wrong, depth.length_px),
+        100.0 * depth.share(),
         depth.length_px,
         percent(depth.wrongly_visible_px, depth.length_px),
         percent(depth.wrongly_hidden_px, depth.length_px),

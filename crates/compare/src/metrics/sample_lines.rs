@@ -1,23 +1,23 @@
 //! Lines drawn by arithmetic, with their truth, and the ways in which the tests make a picture worse.
 
-use super::Ink;
-use crate::truth::TrueLines;
+use super::ink::Ink;
+use crate::truth::samples::TrueLines;
 use crate::truth::visible::VisibleLine;
 use glam::DVec2;
 use silhouette_core::EdgeId;
 
-/// Width of the pen in every scene.
+/// Width of the pen in every sample.
 pub const PEN_PX: f64 = 3.0;
 
 const SIZE: u32 = 128;
 
-pub struct Scene {
+pub struct SampleLines {
     pub lines: TrueLines,
     pub pen: Ink,
 }
 
 /// A long line, a second one that crosses it, and a third apart from both.
-pub fn crossing_lines() -> Scene {
+pub fn crossing_lines() -> SampleLines {
     let point = DVec2::new;
     draw(&[
         (vec![point(12.3, 20.1), point(115.2, 71.7)], false),
@@ -27,12 +27,12 @@ pub fn crossing_lines() -> Scene {
 }
 
 /// A closed square.
-pub fn square() -> Scene {
+pub fn square() -> SampleLines {
     let corners = [(30.2, 30.6), (100.2, 30.6), (100.2, 100.6), (30.2, 100.6), (30.2, 30.6)];
     draw(&[(corners.map(|(x, y)| DVec2::new(x, y)).to_vec(), true)])
 }
 
-fn draw(polylines: &[(Vec<DVec2>, bool)]) -> Scene {
+fn draw(polylines: &[(Vec<DVec2>, bool)]) -> SampleLines {
     let mut drawn = Vec::new();
     let mut segments = Vec::new();
     for (points, closed) in polylines {
@@ -55,7 +55,7 @@ fn draw(polylines: &[(Vec<DVec2>, bool)]) -> Scene {
         });
         inside.count() as f32 / 64.0
     });
-    Scene { lines, pen }
+    SampleLines { lines, pen }
 }
 
 /// Erases a band of columns.

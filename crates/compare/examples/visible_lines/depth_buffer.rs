@@ -1,14 +1,14 @@
 //! What a supersampled depth picture decides in place of exact visibility, and how often it is wrong.
 //!
-//! A depth buffer knows one depth a sample, and a visible contour lies between two samples of which either may show what it
+//! A depth buffer holds one depth per sample, and a visible contour lies between two samples of which either may show what it
 //! bounds. So a line counts as visible where the sample beside it lets it through, and with it count all hidden lines that run
 //! within a sample of the contour that hides them. The silhouette of a fine mesh is full of such lines: its contour edges zigzag
 //! over each other, hidden and visible by turns, within a fraction of a pixel.
 
-use super::SPACING_PX;
-use super::nearness::Nearness;
-use super::stretches::Stretches;
-use glam::DVec2;
+use crate::nearness::Nearness;
+use crate::stretches::Stretches;
+use silhouette_compare::truth::SPACING_PX;
+use silhouette_core::glam::DVec2;
 use silhouette_core::{Topology, TriangleMesh};
 use silhouette_render::{ReferenceDepth, ScreenSegment};
 use silhouette_visibility::{Chain, Lines, SegmentSource};
@@ -111,8 +111,8 @@ fn share_along(segment: &ScreenSegment, at: DVec2) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::finder::silhouette_options;
     use super::*;
+    use silhouette_compare::truth::finder::silhouette_options;
     use silhouette_core::glam::{DVec3, Vec3};
     use silhouette_core::view::{Camera, Framing};
     use silhouette_core::{NoProgress, PreparedMesh, shapes};

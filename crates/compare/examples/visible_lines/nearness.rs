@@ -1,8 +1,8 @@
 //! Whether a place in the picture is close to some lines.
 
-use super::SPACING_PX;
-use super::stretches::{Stretch, Stretches};
-use glam::DVec2;
+use crate::stretches::{Stretch, Stretches};
+use silhouette_compare::truth::SPACING_PX;
+use silhouette_core::glam::DVec2;
 use std::collections::HashMap;
 
 /// Places along stretches, at most [`SPACING_PX`] apart, each with the length that it stands for in pixels.

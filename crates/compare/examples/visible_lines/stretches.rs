@@ -1,6 +1,6 @@
 //! Which stretches of mesh edges the chains of a view cover.
 
-use glam::{DVec2, DVec3};
+use silhouette_core::glam::{DVec2, DVec3};
 use silhouette_core::{EdgeId, Topology, TriangleMesh};
 use silhouette_visibility::{Chains, SegmentSource};
 

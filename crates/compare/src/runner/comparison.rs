@@ -1,0 +1,68 @@
+//! [`Comparison`]: what a comparison found.
+
+use crate::machine::RunDescription;
+use crate::metrics::PictureKind;
+use crate::options::OptionSettings;
+use crate::record::Cell;
+use crate::registry::Entry;
+use crate::scaling::ExtractionRow;
+use crate::scene::Scene;
+use silhouette_render::Image;
+
+/// What a comparison found.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// What was asked for.
+    pub scene: Scene,
+    /// Machine, adapter and program.
+    pub run: RunDescription,
+    /// The methods in the order in which they are reported, each once.
+    pub methods: Vec<Entry>,
+    /// One cell per mesh and choice of a method with options, in this order.
+    pub cells: Vec<Cell>,
+    /// One set of pictures per cell, in the same order.
+    pub pictures: Vec<PictureSet>,
+    /// What is missing: methods that refuse a mesh. Neither cells nor pictures hold anything of them.
+    pub left_out: Vec<LeftOut>,
+    /// Extraction timings of other tools or other runs, for the report; [`run`](super::run()) leaves it empty.
+    pub peers: Vec<ExtractionRow>,
+}
+
+/// A method that a comparison leaves out on a mesh, because it is not defined for it.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+pub struct LeftOut {
+    /// Name of the mesh.
+    pub mesh: String,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Why, with the elements at fault.
+    pub reason: String,
+}
+
+impl std::fmt::Display for LeftOut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { mesh, method, reason } = self;
+        write!(f, "{mesh}: {method} is left out: {reason}")
+    }
+}
+
+/// Pictures of the last scored frame of a cell.
+#[derive(Debug, Clone)]
+pub struct PictureSet {
+    /// Name of the mesh.
+    pub mesh: String,
+    /// Name of the method.
+    pub method: String,
+    /// Its options.
+    pub options: OptionSettings,
+    /// What the pictures show.
+    pub picture: PictureKind,
+    /// Which of the timed frames.
+    pub frame: u32,
+    /// What the method drew.
+    pub drawn: Image,
+    /// What was to be drawn.
+    pub truth: Image,
+    /// False colours, see [`picture::difference`](crate::picture::difference()).
+    pub difference: Image,
+}

@@ -1,0 +1,134 @@
+//! [`Truths`]: what the scored frames of a mesh are measured against, found once for all cells.
+
+use super::error::CompareError;
+use super::frame_source::Output;
+use super::subject::Subject;
+use crate::metrics::fill::measure_fill;
+use crate::metrics::filled_picture::FilledPicture;
+use crate::metrics::lines::{TruePen, measure};
+use crate::metrics::{Ink, PictureMetrics};
+use crate::picture::difference;
+use crate::record::{EdgeScore, MeshRecord, TruthRecord};
+use crate::truth::fill::FillTruth;
+use crate::truth::{Truth, TruthFinder};
+use silhouette_core::{Camera, Progress, SilhouetteEdges};
+use silhouette_gpu::{Pen, PenPlacement};
+use silhouette_render::{Gpu, Image};
+use std::collections::HashMap;
+
+/// The truth of every scored frame of a mesh. That of filled pictures, and that of each placement of the pen, is drawn when a
+/// cell first asks for it.
+pub struct Truths<'a> {
+    subject: &'a Subject,
+    /// The mesh, as results name it.
+    pub mesh: MeshRecord,
+    views: Vec<Truth>,
+    pens: HashMap<PenPlacement, Vec<Ink>>,
+    fills: Vec<FilledPicture>,
+}
+
+/// What a picture scored, and pictures of that.
+pub struct Scored {
+    /// The metrics.
+    pub metrics: PictureMetrics,
+    /// The picture, the truth and their difference, for people.
+    pub pictures: [Image; 3],
+}
+
+impl<'a> Truths<'a> {
+    /// Finds the true lines of every view.
+    ///
+    /// # Errors
+    /// [`CompareError::Truth`], [`CompareError::Cancelled`].
+    pub fn find(subject: &'a Subject, cameras: &[Camera], progress: &dyn Progress) -> Result<Self, CompareError> {
+        let mesh = &subject.mesh.mesh;
+        let failed = |source| CompareError::truth(&subject.mesh.name, source);
+        let mut finder = TruthFinder::new(mesh, progress).map_err(failed)?;
+        progress.stage(&format!("{}: truth", subject.mesh.name), cameras.len() as u64);
+        let mut views = Vec::with_capacity(cameras.len());
+        for camera in cameras {
+            progress.check()?;
+            views.push(finder.find(camera, progress).map_err(failed)?);
+            progress.advance(1);
+        }
+        let mesh = MeshRecord {
+            name: subject.mesh.name.clone(),
+            vertices: mesh.mesh().vertex_count(),
+            faces: mesh.mesh().face_count(),
+            edges: finder.edge_count(),
+        };
+        Ok(Self { subject, mesh, views, pens: HashMap::new(), fills: Vec::new() })
+    }
+
+    /// Draws what pictures of this kind are measured against, unless it is there.
+    ///
+    /// # Errors
+    /// [`CompareError::FillTruth`], [`CompareError::Cancelled`].
+    pub fn prepare(&mut self, output: Output, gpu: &Gpu, progress: &dyn Progress) -> Result<(), CompareError> {
+        match output {
+            Output::Lines(pen) if !self.pens.contains_key(&pen.placement) => {
+                let mut drawn = Vec::with_capacity(self.views.len());
+                for view in &self.views {
+                    progress.check()?;
+                    drawn.push(view.draw(pen));
+                }
+                self.pens.insert(pen.placement, drawn);
+            }
+            Output::Fill if self.fills.is_empty() => {
+                let failed = |source| CompareError::FillTruth { mesh: self.mesh.name.clone(), source };
+                let fine = self.subject.truth.as_ref().unwrap_or(self.subject.mesh.mesh.mesh());
+                let mut truth = FillTruth::new(gpu, fine).map_err(failed)?;
+                let mut drawn = Vec::with_capacity(self.views.len());
+                for view in &self.views {
+                    progress.check()?;
+                    drawn.push(truth.find(gpu, &view.camera).map_err(failed)?);
+                }
+                self.fills = drawn;
+            }
+            Output::Lines(_) | Output::Fill => {}
+        }
+        Ok(())
+    }
+
+    /// The truth of a view as results state it for pictures of this kind.
+    pub fn record(&self, view: usize, output: Output) -> TruthRecord {
+        let area = |fill: &FilledPicture| fill.coverage().coverages().iter().map(|&share| f64::from(share)).sum();
+        let truth = &self.views[view];
+        TruthRecord {
+            silhouette_edges: truth.edges.len(),
+            visible_length_px: truth.lines.total_length_px(),
+            area_px: self.fills.get(view).filter(|_| output == Output::Fill).map(area),
+        }
+    }
+
+    /// Scores edges found in a view. O(S log S).
+    pub fn score_edges(&self, view: usize, found: &SilhouetteEdges) -> EdgeScore {
+        let truth = &self.views[view].edges;
+        let right = found.iter().filter(|&edge| truth.contains(edge)).count() as f64;
+        let share = |whole: usize| if whole == 0 { 1.0 } else { right / whole as f64 };
+        EdgeScore { found: found.len(), precision: share(found.len()), recall: share(truth.len()) }
+    }
+
+    /// Scores a picture of a view for which [`prepare`](Self::prepare) was called.
+    ///
+    /// # Panics
+    /// If it was not.
+    pub fn score(&self, view: usize, output: Output, picture: &Image) -> Scored {
+        match output {
+            Output::Lines(pen) => self.score_lines(view, pen, picture),
+            Output::Fill => {
+                let (drawn, truth) = (FilledPicture::new(picture.clone()), &self.fills[view]);
+                let difference = difference(drawn.coverage(), truth.coverage());
+                let metrics = PictureMetrics::Fill(measure_fill(&drawn, truth));
+                Scored { metrics, pictures: [drawn.to_picture(), truth.to_picture(), difference] }
+            }
+        }
+    }
+
+    fn score_lines(&self, view: usize, pen: Pen, picture: &Image) -> Scored {
+        let (drawn, truth) = (Ink::from_picture(picture), &self.pens[&pen.placement][view]);
+        let true_pen = TruePen { picture: truth, width_px: pen.width_px };
+        let metrics = PictureMetrics::Lines(measure(&drawn, &self.views[view].lines, true_pen));
+        Scored { metrics, pictures: [picture.clone(), truth.to_picture(), difference(&drawn, truth)] }
+    }
+}
