@@ -15,7 +15,7 @@
 //! Departures: none from the definition; a face in the halo of a patch is evaluated again there, which costs a quarter
 //! more planes and saves all synchronisation and every look at another patch.
 //!
-//! Cost: O(F + S) a view, about 10 bytes read a face; a call allocates nothing once its memory has grown. Moving meshes:
+//! Cost: O(F + S) per view, about 10 bytes read per face; a call allocates nothing once its memory has grown. Moving meshes:
 //! [`ExtractsMovingEdges`]. Failure cases: a mesh whose faces are mostly needles goes mostly through `judge`, which is
 //! still exact and some fifteen times slower.
 
@@ -44,7 +44,7 @@ pub struct BruteForceSimd {
     patches: Arc<FacePatches>,
     /// This frame's positions and planes, if the mesh has moved.
     moved: Option<Moved>,
-    /// One a task.
+    /// One per task.
     harvests: Vec<Harvest>,
     order: EdgeOrder,
     topology: Arc<Topology>,

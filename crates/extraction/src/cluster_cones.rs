@@ -12,7 +12,7 @@
 //! of single edges with a tree built by merging pairs; (2) a ball of normals in place of one cone for front and one for
 //! back; (3) bounds hold in floating point, by proof, and what they leave is exact.
 //!
-//! Cost: O(silhouette patches x log F) a view, so about O(sqrt F) for a shape that is refined; 0.6 bytes an edge beyond
+//! Cost: O(silhouette patches x log F) per view, so about O(sqrt F) for a shape that is refined; 0.6 bytes per edge beyond
 //! [`FacePatches`]; a call allocates nothing once its memory has grown. Failure cases: faces in random order of facing
 //! (foliage, noise of a scanner) leave no cluster to skip, and the tree is then a tax of some per cent. The mesh cannot
 //! move: bounds would have to be built anew.

@@ -10,12 +10,12 @@
 //! So every loop is found whole or not at all, and long loops are found with near certainty; small ones, on a mesh of many
 //! bumps, are what it misses. Recall is measured against brute force in a comparison; nothing is promised here.
 //!
-//! Departures: (1) facings are exact, and each face is evaluated once a view, which is why walks always close; (2) probes
+//! Departures: (1) facings are exact, and each face is evaluated once per view, which is why walks always close; (2) probes
 //! are uniform, where Markosian et al. prefer edges with a sharp dihedral angle; (3) all of the last silhouette is tested,
 //! not a share of it, since an edge on a loop that was just walked costs one look.
 //!
-//! Cost: O(probes + S + faces in the fans around silhouette vertices) a view, whatever the size of the mesh; a byte
-//! a face and a bit a half-edge of memory; a call allocates nothing once its memory has grown. The same seed and the same
+//! Cost: O(probes + S + faces in the fans around silhouette vertices) per view, whatever the size of the mesh; one byte
+//! per face and one bit per half-edge of memory; a call allocates nothing once its memory has grown. The same seed and the same
 //! sequence of views give the same edges, on any machine.
 
 use crate::edge_order::EdgeOrder;

@@ -96,9 +96,12 @@ fn measure(
     let edges = prepared.artefact::<TrackedEdges>("speed", &NoProgress)?;
     let table = prepared.artefact::<ConnectivityTable>("speed", &NoProgress)?;
     let faces = prepared.mesh().face_count();
-    let (concave, border) = (edges.concave().len(), edges.border().len());
+    let (concave, boundary) = (edges.concave().len(), edges.boundary().len());
     let step_deg = path.step_deg;
-    writeln!(out, "{name}: {faces} faces, {concave} concave and {border} border edges, {step_deg} degrees a frame")?;
+    writeln!(
+        out,
+        "{name}: {faces} faces, {concave} concave and {boundary} boundary edges, {step_deg} degrees a frame"
+    )?;
 
     let shared = || (Arc::clone(prepared.mesh()), Arc::clone(&table), Arc::clone(&edges));
     let (mesh, table_of, edges_of) = shared();

@@ -55,7 +55,7 @@ pub enum AppendedFace {
     TestFace,
 }
 
-/// An entry of the printed list: a face, absent across a border, and an edge index.
+/// An entry of the printed list: a face, absent across a boundary edge, and an edge index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PrintedEdge {
     /// The face that the entry names.

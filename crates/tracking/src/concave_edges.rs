@@ -1,12 +1,12 @@
-//! Preparation (Hall 2003): the concave edges in order of decreasing angle, and the border.
+//! Preparation (Hall 2003): the concave edges in order of decreasing angle, and the boundary.
 //!
 //! An edge is concave where its interior angle exceeds `pi`, that is where the far corner of one of its faces lies
 //! strictly on the outer side of the other: decided exactly, since the rule that silhouettes are born at concave edges
 //! holds for exact facings and exact concavity only. `angle` is by how much `pi` is exceeded, in radians, 0 to `pi`.
 //!
 //! Two cases beyond Hall's. An edge whose faces are folded onto each other has an angle of `pi`, on whichever side they
-//! lie: no view sees both, as at a border. So has an edge of a face whose plane 64-bit arithmetic cannot tell (needles,
-//! no area): such a face may stay back while all around it turns.
+//! lie: no view sees both, as at a boundary edge. So has an edge of a face whose plane 64-bit arithmetic cannot determine
+//! (needles, no area): such a face may stay back while all around it turns.
 
 use crate::connectivity_table::ConnectivityTable;
 use silhouette_core::facing::{Facing, judge};
@@ -28,11 +28,12 @@ pub struct ConcaveEdge {
     pub angle_rad: f32,
 }
 
-/// Concave edges and borders of a mesh: where new silhouettes are searched. 16 bytes a concave edge, 4 a border edge.
+/// Concave edges and boundary edges of a mesh: where new silhouettes are searched. 16 bytes per concave edge, 4 per
+/// boundary edge.
 #[derive(Debug, Clone, Default)]
 pub struct TrackedEdges {
     concave: ConcaveEdges,
-    border: Vec<HalfEdgeId>,
+    boundary: Vec<HalfEdgeId>,
 }
 
 /// Concave edges in order of decreasing angle.
@@ -49,8 +50,8 @@ impl TrackedEdges {
         let mut concave = ConcaveEdges::default();
         concave.find(mesh.positions(), mesh.triangles(), table);
         let half_edges = (0..3 * table.face_count()).map(HalfEdgeId::from_usize);
-        let border = half_edges.filter(|&half_edge| table.twin(half_edge).is_none()).collect();
-        Self { concave, border }
+        let boundary = half_edges.filter(|&half_edge| table.twin(half_edge).is_none()).collect();
+        Self { concave, boundary }
     }
 
     /// No edges: for trackers in the exact mode, which search none.
@@ -64,8 +65,8 @@ impl TrackedEdges {
     }
 
     /// Half-edges with nothing across, ascending.
-    pub fn border(&self) -> &[HalfEdgeId] {
-        &self.border
+    pub fn boundary(&self) -> &[HalfEdgeId] {
+        &self.boundary
     }
 
     pub(crate) fn concave_edges(&self) -> &ConcaveEdges {
@@ -149,7 +150,7 @@ impl Artefact for TrackedEdges {
     }
 
     fn bytes(&self) -> usize {
-        self.concave.bytes() + size_of_val(self.border.as_slice())
+        self.concave.bytes() + size_of_val(self.boundary.as_slice())
     }
 }
 

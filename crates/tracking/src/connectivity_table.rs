@@ -14,7 +14,7 @@ use silhouette_core::{FaceId, HalfEdgeId, PreparedMesh, Progress, Topology, Tria
 use std::sync::Arc;
 
 /// No face is across. (A mesh has fewer faces than that.)
-const BORDER: u32 = u32::MAX;
+const NOTHING_ACROSS: u32 = u32::MAX;
 
 /// A half-edge as face and slot apart: a walk that keeps them so never divides by three.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl ConnectivityTable {
         let across = |face, slot| match topology.twin(HalfEdgeId::of(face, slot)) {
             Twin::HalfEdge(twin) => (twin.face().get(), twin.slot() as u8),
             // Non-manifold edges have been cut.
-            Twin::Border | Twin::NonManifold => (BORDER, 0),
+            Twin::Border | Twin::NonManifold => (NOTHING_ACROSS, 0),
         };
         let row = |face| {
             let across = [0, 1, 2].map(|slot| across(face, slot));
@@ -138,7 +138,7 @@ impl ConnectivityTable {
         let row = &self.rows[side.face.index()];
         let face = row.faces[side.slot as usize];
         let slot = u32::from(row.slots[side.slot as usize]);
-        (face != BORDER).then_some(Side { face: FaceId::new(face), slot })
+        (face != NOTHING_ACROSS).then_some(Side { face: FaceId::new(face), slot })
     }
 
     /// Unit normal and offset, relative to [`center`](Self::center).

@@ -1,7 +1,7 @@
-//! Detecting new silhouettes (Hall 2003): in the concave list, then in the border list.
+//! Detecting new silhouettes (Hall 2003): in the concave list, then in the boundary list.
 //!
 //! A face that turns while its neighbours do not is born, or dies, as a silhouette of its own: that happens at a
-//! concave edge of the face, or at a border, as long as the eye does not cross the surface. Parts that split off a
+//! concave edge of the face, or at a boundary edge, as long as the eye does not cross the surface. Parts that split off a
 //! silhouette are no births, and tracking has to follow them.
 
 use crate::complete_silhouette::FoundLoops;
@@ -26,15 +26,15 @@ pub(crate) fn detect_in_concave_list(
     }
 }
 
-/// Completes the loops that hold a border edge of a front face.
-pub(crate) fn detect_in_border_list(
+/// Completes the loops that hold a boundary edge of a front face.
+pub(crate) fn detect_in_boundary_list(
     faces: &mut Faces,
     loops: &mut FoundLoops,
-    border: &[HalfEdgeId],
+    boundary: &[HalfEdgeId],
     stats: &mut TrackingStats,
 ) {
-    stats.edges_tested += border.len() as u64;
-    for &half_edge in border {
+    stats.edges_tested += boundary.len() as u64;
+    for &half_edge in boundary {
         if faces.is_front(half_edge.face()) {
             complete_new(faces, loops, half_edge);
         }

@@ -11,9 +11,9 @@
 //! 2. No cap on iterations: a fruitless walk ends when it returns to its first state. Crossing left or right by turns
 //!    is injective on the states (side entered through, turn), so a walk that does not end comes back to the first
 //!    state in which it entered through a side with a face behind it: at the very start, or after one step if it starts
-//!    at a border. There are six states a face, so no walk takes more than 6 F steps.
-//! 3. Seeking a visible face, a border is no silhouette: the walk turns to the other side, and gives up between two
-//!    borders. (It never enters through a border, so turning keeps the steps injective.)
+//!    at a boundary edge. There are six states a face, so no walk takes more than 6 F steps.
+//! 3. Seeking a visible face, a boundary edge is no silhouette: the walk turns to the other side, and gives up between two
+//!    boundary edges. (It never enters through a boundary edge, so turning keeps the steps injective.)
 //! 4. It notices whether it crossed a silhouette edge of the last frame. Such a walk has *strayed* from the ground that
 //!    its silhouette moved over: what it finds is a silhouette, but not what became of the loop it came from.
 

@@ -1,4 +1,4 @@
-//! Identity of loops over time: each keeps an id while it lives, and what happens to loops is told as events.
+//! Identity of loops over time: each keeps an id while it lives, and what happens to loops is reported as events.
 //!
 //! This is no part of Hall's paper, though it rests on what tracking learns: which old loops became which new ones, and
 //! by how many shared half-edges. Nothing else is needed, so the same rules serve any method that relates two frames.
@@ -258,7 +258,7 @@ mod tests {
         relations.iter().map(|&[old, new, shared]| Relation { old, new, shared }).collect()
     }
 
-    fn told(identities: &LoopIdentities) -> String {
+    fn reported(identities: &LoopIdentities) -> String {
         identities
             .events()
             .iter()
@@ -276,20 +276,20 @@ mod tests {
     fn ids_pass_to_the_child_that_shares_most() {
         let mut identities = LoopIdentities::default();
         identities.advance(2, &[]);
-        assert_eq!(told(&identities), "Birth { id: (0) }; Birth { id: (1) }");
+        assert_eq!(reported(&identities), "Birth { id: (0) }; Birth { id: (1) }");
         identities.advance(2, &related(&[[0, 1, 5], [1, 0, 7], [0, 1, 1]]));
-        assert_eq!((ids(&identities), told(&identities)), (vec![1, 0], String::new()));
+        assert_eq!((ids(&identities), reported(&identities)), (vec![1, 0], String::new()));
         // Loop 0 (id 1) comes apart, the larger part second; loop 1 (id 0) dies.
         identities.advance(2, &related(&[[0, 0, 3], [0, 1, 4]]));
         assert_eq!(ids(&identities), [2, 1]);
-        assert_eq!(told(&identities), "Death { id: (0) }; Split { from: (1), into: [(2), (1)] }");
+        assert_eq!(reported(&identities), "Death { id: (0) }; Split { from: (1), into: [(2), (1)] }");
         // They come together again, sharing the same number: the lower id stays.
         identities.advance(1, &related(&[[0, 0, 6], [1, 0, 6]]));
         assert_eq!(ids(&identities), [1]);
-        assert_eq!(told(&identities), "Merge { from: [(2), (1)], into: (1) }");
+        assert_eq!(reported(&identities), "Merge { from: [(2), (1)], into: (1) }");
         identities.forget();
         identities.advance(1, &[]);
-        assert_eq!((ids(&identities), told(&identities)), (vec![3], "Birth { id: (3) }".to_owned()));
+        assert_eq!((ids(&identities), reported(&identities)), (vec![3], "Birth { id: (3) }".to_owned()));
     }
 
     proptest! {

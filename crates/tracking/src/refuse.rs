@@ -6,7 +6,7 @@
 //!
 //! Cutting severs the mesh at these edges ([`Topology::severed`]): nothing lies across, so each front face there has a
 //! silhouette half-edge of its own. That is sound for any defect, needs no new vertices and keeps every id; the price
-//! is that an edge which is cut belongs to the silhouette whenever one of its faces is front, as a border does.
+//! is that an edge which is cut belongs to the silhouette whenever one of its faces is front, as a boundary edge does.
 
 use silhouette_core::{EdgeId, FaceId, Topology, TriangleMesh};
 use std::fmt;

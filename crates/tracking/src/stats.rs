@@ -24,7 +24,7 @@ pub struct TrackingStats {
     pub faces_evaluated: u64,
     /// Of these, the ones that the plane equation in 32 bits could not certify.
     pub exact_fallbacks: u64,
-    /// Edges looked at: old edges that were followed, concave and border edges searched, half-edges walked along.
+    /// Edges looked at: old edges that were followed, concave and boundary edges searched, half-edges walked along.
     pub edges_tested: u64,
     /// Walks from an edge that is no silhouette any more.
     pub walks: u64,
@@ -36,7 +36,7 @@ pub struct TrackingStats {
     pub strayed_walks: u64,
     /// Loops completed from old edges.
     pub loops_tracked: u64,
-    /// Loops completed from concave or border edges.
+    /// Loops completed from concave or boundary edges.
     pub loops_detected: u64,
     /// Whether the frame was audited, and is exact for it.
     pub audited: bool,

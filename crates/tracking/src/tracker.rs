@@ -6,7 +6,7 @@ use crate::budget::{Audit, BudgetMode};
 use crate::complete_silhouette::FoundLoops;
 use crate::concave_edges::{ActiveEdges, TrackedEdges};
 use crate::connectivity_table::ConnectivityTable;
-use crate::detect_new::{complete_new, detect_in_border_list, detect_in_concave_list};
+use crate::detect_new::{complete_new, detect_in_boundary_list, detect_in_concave_list};
 use crate::exact::ExactMode;
 use crate::eye_crossing::ClearBall;
 use crate::faces::Faces;
@@ -24,8 +24,8 @@ use std::sync::Arc;
 
 /// Follows the silhouette loops of a mesh from frame to frame. See the [crate](crate) for the method and what it costs.
 ///
-/// Memory beyond the artefacts: 13.4 bytes a face (a place and a bit a half-edge, the memory of facings), 8 bytes a
-/// selected concave edge and 20 for each face there, some 40 bytes a silhouette edge.
+/// Memory beyond the artefacts: 13.4 bytes per face (a place and a bit per half-edge, the memory of facings), 8 bytes per
+/// selected concave edge and 20 per face there, some 40 bytes per silhouette edge.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     scene: Scene,
@@ -95,10 +95,10 @@ impl Tracker {
     /// The loops seen from `viewpoint`: every one closed, none twice, front faces on the left; in the order in which
     /// they were found, and begun anywhere. [`ids`](Self::ids) names them.
     ///
-    /// O(old and new silhouette + faces walked over + selected concave edges + borders); O(F) in a frame that is found
-    /// by brute force. One thread. Allocates nothing once memory has grown.
+    /// O(old and new silhouette + faces walked over + selected concave edges + boundary edges); O(F) in a frame that is
+    /// found by brute force. One thread. Allocates nothing once memory has grown.
     ///
-    /// What is missed, and when, stands in the [crate](crate)'s documentation; what is found is always silhouette.
+    /// The [crate](crate)'s documentation says what is missed, and when; what is found is always silhouette.
     pub fn update(&mut self, viewpoint: &Viewpoint) -> &SilhouetteLoops {
         self.stats = TrackingStats::default();
         if self.options.accuracy == Accuracy::Exact {
@@ -143,7 +143,7 @@ impl Tracker {
                 check_edges(&mut faces, stats, |faces, half_edge| complete_new(faces, loops, half_edge));
             } else {
                 detect_in_concave_list(&mut faces, loops, active, stats);
-                detect_in_border_list(&mut faces, loops, scene.edges().border(), stats);
+                detect_in_boundary_list(&mut faces, loops, scene.edges().boundary(), stats);
                 stats.loops_detected = loops.now.loops.len() as u64 - stats.loops_tracked;
             }
         }
@@ -239,7 +239,7 @@ impl Tracker {
         select(&self.scene, &mut self.active, self.options.concavity);
     }
 
-    /// Makes `positions` (one a vertex, in object space) those of the next frames; topology and loops are kept.
+    /// Makes `positions`, one per vertex in object space, those of the next frames; topology and loops are kept.
     ///
     /// O(V + F + E) for planes and angles and O(C log C) to order C concave edges, on one thread; allocates nothing
     /// from the second call on, unless a shape has more concave edges than any before. The mesh should move little
@@ -248,7 +248,7 @@ impl Tracker {
     /// angles are needed, any move is allowed, and the next frame evaluates every face.
     ///
     /// # Errors
-    /// [`PositionsError`]; the positions of before then stay in force.
+    /// [`PositionsError`]; the previous positions then stay in force.
     pub fn move_mesh(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
         let bounds = self.scene.surface().table.bounds();
         self.scene.update_positions(positions, self.options.accuracy != Accuracy::Exact)?;

@@ -1,6 +1,6 @@
 //! [`LoadError`]: which file, where in it, what is wrong and how to mend it, in one line.
 
-use super::Format;
+use super::format::Format;
 use crate::mesh::MeshError;
 use crate::progress::Cancelled;
 use std::fmt;

@@ -11,9 +11,11 @@
 
 mod accessor;
 mod buffers;
+mod dangling;
 
 use self::accessor::{indices, most_elements, positions};
 use self::buffers::Buffers;
+use self::dangling::dangling;
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Place, Problem, quote};
 use super::polygon::{fan, strip};
@@ -264,9 +266,4 @@ fn at_element(element: String, problem: Problem) -> Located {
 /// An index that leads out of its array.
 fn missing(element: &str, array: &'static str, count: usize) -> Located {
     at_element(element.to_owned(), dangling(array, count))
-}
-
-/// An index into an array of the document that has only `count` elements.
-fn dangling(array: &'static str, count: usize) -> Problem {
-    Problem::Expected { expected: "an index within its array", found: format!("one beyond the {count} {array}") }
 }

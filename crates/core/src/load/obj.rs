@@ -49,7 +49,7 @@ fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, joined: &mut Vec<u8>) {
 #[derive(Default)]
 struct Reader {
     assembly: Assembly,
-    /// Corners of the face being read; kept to spare an allocation a face.
+    /// Corners of the face being read; kept to spare an allocation per face.
     corners: Vec<u32>,
     /// Faces read so far, as the file counts them.
     faces: u64,
@@ -58,7 +58,7 @@ struct Reader {
     sorts: Sorts,
 }
 
-/// What tells faces apart besides their corners.
+/// What distinguishes faces besides their corners.
 #[derive(Default)]
 struct Sorts {
     /// The numbers of the material and of the groups that hold for the faces to come; 0 where none was named.

@@ -1,6 +1,6 @@
 //! OFF, the Object File Format of Geomview, as text: `OFF` and its variants `[ST][C][N]OFF`.
 //!
-//! A keyword (which may be missing), the numbers of vertices, faces and edges, one row a vertex and one row a face.
+//! A keyword (which may be missing), the numbers of vertices, faces and edges, one row per vertex and one row per face.
 //! What follows a vertex's three coordinates (normal, colour, texture coordinates) and a face's corners (colour) is
 //! passed over. `#` begins a comment anywhere.
 

@@ -10,7 +10,7 @@ mod values;
 use self::header::{Element, Encoding, Header, Property, Role};
 use self::values::{BinaryValues, TextValues, Values};
 use super::assembly::{Assembly, LabelledMesh, check_promise, vertex_id};
-use super::error::{Located, Problem, quote};
+use super::error::Located;
 use super::lines::Lines;
 use super::polygon::strip;
 use super::steps::Steps;
@@ -131,15 +131,4 @@ fn skip<V: Values>(property: &Property, values: &mut V) -> Result<(), Located> {
         None => 1,
     };
     values.skip(property.item, count)
-}
-
-/// A number that was read in binary, checked like one read as text.
-fn finite(value: f64, vertex: usize) -> Result<f32, Problem> {
-    // The conversion rounds to nearest; magnitudes beyond f32 become infinite and are refused here.
-    let rounded = value as f32;
-    if rounded.is_finite() {
-        Ok(rounded)
-    } else {
-        Err(Problem::NotFinite { vertex: vertex as u64, value: quote(value.to_string().as_bytes()) })
-    }
 }

@@ -1,4 +1,4 @@
-//! Progress by bytes: cheap enough to be told of every row.
+//! Progress by bytes: cheap enough to report every row to.
 
 use crate::progress::{Cancelled, Progress};
 

@@ -10,7 +10,7 @@
 //! 3. [`order`]: patches are put in an order in which runs of 8, 64 ... are compact as well.
 //! 4. [`planes`]: planes in 16-bit integers, and the test that decides 64 of them.
 //!
-//! Memory for a closed mesh, a fifth to a quarter of the lanes being halo: about 7 bytes an edge for planes, 3.5 for the
+//! Memory for a closed mesh, a fifth to a quarter of the lanes being halo: about 7 bytes per edge for planes, 3.5 for the
 //! face of each lane (needed for exact fallbacks and for moving meshes), 7 for the edge table (lanes and id). Building is
 //! O(F log F), parallel, and gives the same patches for any number of threads.
 
@@ -85,7 +85,7 @@ pub(crate) struct PatchPlanes {
 /// Faces and edges in self-contained patches of 64 lanes: the artefact that `brute-force-simd` and `cluster-cones` share.
 ///
 /// A patch holds 16-bit planes of its own faces and of those neighbours with which it shares an edge that it owns, so that
-/// 512 bytes and one word of facings decide all its edges. About 18 bytes an edge: 7 for planes, 3.5 for the faces of
+/// 512 bytes and one word of facings decide all its edges. About 18 bytes per edge: 7 for planes, 3.5 for the faces of
 /// lanes, 7.5 for the table of edges (lanes and ids).
 #[derive(Debug)]
 pub struct FacePatches {

@@ -22,7 +22,7 @@
 //!
 //! `B = h (|X_1| + |X_2| + |X_3| + |Q|) + K (|e_x| + |e_q|)`,
 //!
-//! one number a view, in which everything is known. `s > B` proves front, `s < -B` proves back. Nothing else is ever
+//! one number per view, in which everything is known. `s > B` proves front, `s < -B` proves back. Nothing else is ever
 //! concluded: the other faces, about one in twenty thousand, go to [`silhouette_core::facing::judge`].
 //!
 //! Where `h` comes from: half a step of rounding, plus the error of `n` and `d` in `f64`. With `u = 2^-53`, the cross

@@ -143,7 +143,7 @@ fn measure_mesh(profile: Profile, named: &NamedMesh, progress: &dyn Progress) ->
         name: name.clone(),
         faces: mesh.mesh().face_count(),
         concave_edges: tracked.concave().len(),
-        boundary_edges: tracked.border().len(),
+        boundary_edges: tracked.boundary().len(),
         half_edges: flight.average(|loops| loops.half_edges().len()),
         loops: flight.average(SilhouetteLoops::len),
         variants: results.collect(),

@@ -100,7 +100,7 @@ impl Scene {
         Ok(Self { mesh: Arc::clone(prepared.mesh()), edges, table, bounds })
     }
 
-    /// Edges that cannot be tracked across are cut: each of their faces has a border there.
+    /// Edges that cannot be tracked across are cut: each of their faces has a boundary edge there.
     fn tracker(&self) -> Result<Tracker, Box<dyn Error>> {
         // A volume is closed only if no loop is missing.
         let accuracy = Accuracy::Exact;

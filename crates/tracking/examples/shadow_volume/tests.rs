@@ -79,7 +79,7 @@ fn open_and_cut_meshes_by_both_rules() {
     }
 }
 
-/// A light that sees only backs: nothing casts unless faces are doubled. Then the border alone makes the sides.
+/// A light that sees only backs: nothing casts unless faces are doubled. Then the boundary alone makes the sides.
 #[test]
 fn a_sheet_seen_from_behind_casts_by_doubled_faces_only() {
     let scene = scene(by_name("grid:6,4").unwrap());

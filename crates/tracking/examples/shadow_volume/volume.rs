@@ -9,7 +9,7 @@
 //! A face that casts a shadow has a prism: the face, wound so that it faces the light; its copy at the far end, wound
 //! the other way; three sides between. Each prism is closed and its surface oriented outward. The volume is their sum,
 //! in which a side between two neighbours occurs once in each direction and is left out. What remains is a side for
-//! each silhouette half-edge, from the border of the casting faces; so the volume is closed for every mesh, and how
+//! each silhouette half-edge, from the boundary of the casting faces; so the volume is closed for every mesh, and how
 //! often its surface goes around a point is the number of casting faces between the point and the light. [`Caps`] says
 //! which faces cast. Closed means: of each directed edge there are as many as of its opposite. Most have one; where
 //! loops touch in a vertex, the edge from there to the far end has several.
@@ -41,17 +41,17 @@ pub enum Caps {
     FrontTwice,
     /// Every face casts, as if each had a reversed double: of the two, the one that faces the light. Front cap: the
     /// front faces, and the back faces reversed. Back cap: both extruded, reversed. A silhouette half-edge with a face
-    /// across has two sides, one from each; one at the border a single side, and so has each border of a back face,
-    /// which is in no loop. 2 F triangles in both caps. For any mesh and any light, also inside a closed mesh.
+    /// across has two sides, one from each; one at the boundary a single side, and so has each boundary edge of a back
+    /// face, which is in no loop. 2 F triangles in both caps. For any mesh and any light, also inside a closed mesh.
     Doubled,
 }
 
 impl Caps {
-    /// What fits a mesh if nothing is known but its table: doubled faces where there is any border. A mesh that is cut
-    /// has borders at the cuts, whatever it was before: faces on both sides may cast from there, so the same rule
-    /// holds.
+    /// What fits a mesh if nothing is known but its table: doubled faces where there is any boundary edge. A mesh that is
+    /// cut has boundary edges at the cuts, whatever it was before: faces on both sides may cast from there, so the same
+    /// rule holds.
     pub fn fitting(table: &ConnectivityTable, mesh: &TriangleMesh) -> Self {
-        if border(table, mesh).next().is_none() { Self::FrontAndBack } else { Self::Doubled }
+        if boundary(table, mesh).next().is_none() { Self::FrontAndBack } else { Self::Doubled }
     }
 }
 
@@ -77,11 +77,13 @@ const MAX_SCALE: f64 = 1_048_576.0;
 /// Why a mesh has no volume.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum VolumeError {
-    /// [`Caps::FrontAndBack`] on a mesh with borders.
-    #[error("{borders} half-edges have nothing across; front and back faces close the volume of closed meshes only")]
+    /// [`Caps::FrontAndBack`] on a mesh with boundary edges.
+    #[error(
+        "{boundary_edges} half-edges have nothing across; front and back faces close the volume of closed meshes only"
+    )]
     NotClosed {
         /// How many, cut ones included.
-        borders: usize,
+        boundary_edges: usize,
     },
     /// Near and far vertices together are more than 32-bit indices can name.
     #[error("{vertices} vertices cannot be doubled; at most {} can", u32::MAX / 2)]
@@ -99,7 +101,7 @@ pub struct ShadowVolume {
     caps: Caps,
     reach: Reach,
     /// Half-edges that have nothing across.
-    border: Vec<HalfEdgeId>,
+    boundary: Vec<HalfEdgeId>,
     facings: FollowedFacings,
     positions: Vec<Vec4>,
     triangles: Vec<[u32; 3]>,
@@ -113,7 +115,7 @@ impl ShadowVolume {
     /// An empty volume for a mesh that `table` is of. O(F).
     ///
     /// # Errors
-    /// [`VolumeError`] if the mesh has borders that `caps` does not allow, or too many vertices.
+    /// [`VolumeError`] if the mesh has boundary edges that `caps` does not allow, or too many vertices.
     ///
     /// # Panics
     /// If the table is of another mesh.
@@ -128,14 +130,14 @@ impl ShadowVolume {
         if vertices > (u32::MAX / 2) as usize {
             return Err(VolumeError::TooLarge { vertices });
         }
-        let border: Vec<_> = border(&table, &mesh).collect();
-        if caps == Caps::FrontAndBack && !border.is_empty() {
-            return Err(VolumeError::NotClosed { borders: border.len() });
+        let boundary: Vec<_> = boundary(&table, &mesh).collect();
+        if caps == Caps::FrontAndBack && !boundary.is_empty() {
+            return Err(VolumeError::NotClosed { boundary_edges: boundary.len() });
         }
         let mut positions = Vec::with_capacity(2 * vertices);
         positions.extend(mesh.positions().iter().map(|position| position.extend(1.0)));
         let (facings, triangles) = (FollowedFacings::default(), Vec::new());
-        Ok(Self { mesh, table, caps, reach, border, facings, positions, triangles, ends: [0; 2], has_apex: false })
+        Ok(Self { mesh, table, caps, reach, boundary, facings, positions, triangles, ends: [0; 2], has_apex: false })
     }
 
     /// Replaces the volume by that of `light`, of which `loops` are all the silhouette loops: half-edges of front
@@ -211,8 +213,8 @@ impl ShadowVolume {
             }
         }
         if self.caps == Caps::Doubled {
-            for index in 0..self.border.len() {
-                let half_edge = self.border[index];
+            for index in 0..self.boundary.len() {
+                let half_edge = self.boundary[index];
                 if self.facings.as_slice()[half_edge.face().index()] == Facing::Back {
                     let [a, b] = ends(&self.mesh, half_edge);
                     self.push_side(b, a);
@@ -286,7 +288,7 @@ fn ends(mesh: &TriangleMesh, half_edge: HalfEdgeId) -> [u32; 2] {
 }
 
 /// Half-edges that have nothing across, but for sides from a vertex to itself, which bound nothing.
-fn border<'a>(table: &'a ConnectivityTable, mesh: &'a TriangleMesh) -> impl Iterator<Item = HalfEdgeId> + 'a {
+fn boundary<'a>(table: &'a ConnectivityTable, mesh: &'a TriangleMesh) -> impl Iterator<Item = HalfEdgeId> + 'a {
     (0..3 * mesh.face_count()).map(HalfEdgeId::from_usize).filter(|&half_edge| {
         let [a, b] = ends(mesh, half_edge);
         a != b && table.twin(half_edge).is_none()

@@ -2,7 +2,7 @@
 //!
 //! The signed distance of the eye from a face's plane changes by no more than the eye moves. So a face that is seen from
 //! height `m` above its plane, or below it, keeps its facing while the eye travels less than `m`, whatever way it takes;
-//! the length of its path is measured once a frame for all faces, and each face notes at what length it *expires*. A
+//! the length of its path is measured once per frame for all faces, and each face notes at what length it *expires*. A
 //! face far from the silhouette is left alone for hundreds of frames; one near it is looked at ever more often as its
 //! plane comes nearer. Over a path that moves by `t` a frame, F faces whose planes pass at evenly spread heights up to `h`
 //! take about `F (t / h) ln(h / t)` looks a frame.

@@ -20,9 +20,10 @@
 //!
 //! O(S + due faces + turned faces and the fans at their corners + F / 512), where S counts copies of a few nanoseconds
 //! each; one thread; no allocation once memory has grown. O(F) in the first frame, when the kind of view changes and after
-//! the mesh moved. Memory: 36 bytes a face, 15 of them lists of faces that the first frame fills. Every move is allowed: the longer it is, the more faces are due, at worst all,
-//! which is brute force. Crossing the surface needs no rule either. Needles and faces whose corners lie on a line have no
-//! height that could be told, so they are judged exactly in every frame: many of them make a frame dear.
+//! the mesh moved. Memory: 36 bytes per face, 15 of them lists of faces that the first frame fills. Every move is allowed:
+//! the longer it is, the more faces are due, at worst all, which is brute force. Crossing the surface needs no rule either.
+//! Needles and faces whose corners lie on a line have no height that can be computed, so they are judged exactly in every
+//! frame: many of them make a frame slow.
 
 mod certificates;
 mod changes;
@@ -102,7 +103,7 @@ impl ExactMode {
         certificates.travel(step.unwrap_or(0.0));
         certificates.collect_due(due);
         let (table, test) = (surface.table, surface.table.test(viewpoint));
-        // Heights first, in a loop without a branch: so that the misses of the cache, one a face, overlap.
+        // Heights first, in a loop without a branch: so that the cache misses, one per face, overlap.
         heights.clear();
         heights.extend(due.iter().map(|&face| test.height(table.plane(face))));
         let mut counts = ExtractionStats { faces_tested: due.len() as u64, ..ExtractionStats::default() };

@@ -82,11 +82,11 @@ fn meshes_that_were_cut_are_tracked_as_any_other() {
 }
 
 #[test]
-fn a_severed_edge_is_a_border_for_each_of_its_faces() {
+fn a_severed_edge_is_a_boundary_edge_for_each_of_its_faces() {
     let scene = Scene::new("faulty", faulty());
     let topology = scene.table.topology();
     let edges: Vec<EdgeId> = scene.table.defects().iter().map(|defect| defect.edge).collect();
     let cut: usize = edges.iter().map(|&edge| topology.half_edges(edge).len()).sum();
     assert_eq!(cut, 3 + 3 * 2);
-    assert_eq!(scene.edges.border().len(), cut + 2, "and the fin has two sides of its own");
+    assert_eq!(scene.edges.boundary().len(), cut + 2, "and the fin has two sides of its own");
 }

@@ -10,7 +10,7 @@ use silhouette_tracking::{
     BruteForce, Concavity, ConnectivityTable, MeshPolicy, NotTrackable, TestedEdges, TrackedEdges, Tracker,
     TrackerOptions,
 };
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A mesh with all that its trackers share.
@@ -138,8 +138,21 @@ pub fn real_meshes(test: &str) -> Vec<Scene> {
     let mut paths: Vec<_> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| load::Format::of(path).is_some());
     paths.sort();
-    let scene = |path: &PathBuf| Scene::new(path.file_name().unwrap().to_string_lossy(), load::load(path).unwrap());
-    paths.iter().map(scene).collect()
+    paths.iter().map(|path| loaded(path)).collect()
+}
+
+/// One of the meshes in that folder; where there is none, a line that says so.
+pub fn real_mesh(test: &str, name: &str) -> Option<Scene> {
+    let path = std::env::var_os("SILHOUETTES_MODELS").map(|folder| PathBuf::from(folder).join(name));
+    let path = path.filter(|path| path.exists());
+    if path.is_none() {
+        skipped(test, &format!("SILHOUETTES_MODELS names no folder with {name}"));
+    }
+    path.map(|path| loaded(&path))
+}
+
+fn loaded(path: &Path) -> Scene {
+    Scene::new(path.file_name().unwrap().to_string_lossy(), load::load(path).unwrap())
 }
 
 /// Says on stderr that a test did not run, and why.

@@ -1,7 +1,7 @@
 //! Accessors: typed numbers in buffers, dense or sparse, with each offset checked before it is followed.
 
 use super::buffers::Buffers;
-use super::dangling;
+use super::dangling::dangling;
 use crate::load::assembly::check_promise;
 use crate::load::error::Problem;
 use ::gltf::json::accessor::{Accessor, ComponentType, Type};

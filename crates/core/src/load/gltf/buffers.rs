@@ -1,6 +1,6 @@
 //! The GLB container, and buffers from its binary chunk, from data URIs and from files beside the document.
 
-use super::dangling;
+use super::dangling::dangling;
 use crate::load::error::{Located, Problem, quote};
 use ::gltf::json::{Buffer, Index, Root};
 use base64::Engine as _;

@@ -73,7 +73,7 @@ pub(super) struct Element {
     line: u64,
 }
 
-/// A property: one number a row, or a list of them.
+/// A property: one number per row, or a list of them.
 #[derive(Debug)]
 pub(super) struct Property {
     /// Type of the number, or of a list's numbers.

@@ -1,6 +1,5 @@
 //! The numbers of a PLY body, stored as text or in binary.
 
-use super::finite;
 use super::header::{Element, Number};
 use crate::load::error::{Located, Problem, quote};
 use crate::load::lines::{Lines, Words};
@@ -32,7 +31,7 @@ pub(super) trait Values {
 
 const LENGTH: &str = "the length of a list";
 
-/// Numbers as text, a row a line. Blank lines are passed over, as are words behind the last property.
+/// Numbers as text, one row per line. Blank lines are passed over, as are words behind the last property.
 pub(super) struct TextValues<'a> {
     lines: Lines<'a>,
     row: Words<'a>,
@@ -201,5 +200,16 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
 
     fn locate(&self, problem: Problem) -> Located {
         problem.at_byte(self.offset)
+    }
+}
+
+/// A number that was read in binary, checked like one read as text.
+fn finite(value: f64, vertex: usize) -> Result<f32, Problem> {
+    // The conversion rounds to nearest; magnitudes beyond f32 become infinite and are refused here.
+    let rounded = value as f32;
+    if rounded.is_finite() {
+        Ok(rounded)
+    } else {
+        Err(Problem::NotFinite { vertex: vertex as u64, value: quote(value.to_string().as_bytes()) })
     }
 }
