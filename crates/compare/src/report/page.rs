@@ -119,10 +119,12 @@ fn quality_row(kind: PictureKind, cells: &[&CellSummary<'_>], summary: &CellSumm
         pen => summary.cell.pen.as_ref().map(|pen| format!("{} px, {}", pen.width_px, pen.placement)),
         metrics => metrics.collect::<Vec<_>>(),
         edges => match (worst, summary.cell.recall()) {
-            (Some(worst), Some(recall)) if is_wrong => format!(
-                "recall {recall:.4}, at worst {:.4}; precision at worst {:.4}",
-                worst.recall, worst.precision
-            ),
+            (Some(worst), Some(recall)) if is_wrong => {
+                let percent = |share: f64| format!("{:.2} %", share * 100.0);
+                let missed = format!("recall {}, worst frame {}", percent(recall), percent(worst.recall));
+                let is_precise = worst.precision >= 1.0;
+                if is_precise { missed } else { format!("{missed}; precision {}", percent(worst.precision)) }
+            }
             (Some(_), _) => "all, exact".to_owned(),
             (None, _) => "draws only".to_owned(),
         },
@@ -240,6 +242,7 @@ mod tests {
     use super::*;
     use crate::metrics::METRICS;
     use crate::options::OptionSetting;
+    use crate::record::EdgeScore;
     use crate::record::tests::{cell, with_option};
     use crate::scaling::rows_of_cells;
 
@@ -321,6 +324,16 @@ mod tests {
             assert_eq!(page.matches(&row).count(), 2, "{options}");
             assert!(page.contains(&format!("tracking ({options})")), "{options} in the chart");
         }
+    }
+
+    #[test]
+    fn what_a_method_misses_stands_beside_it() {
+        let mut comparison = comparison();
+        comparison.cells[0].views[0].edges = Some(EdgeScore { found: 3, precision: 1.0, recall: 0.75 });
+        let page = rendered(&comparison);
+        assert!(page.contains("<td class=\"wrong\">recall 75.00 %, worst frame 75.00 %</td>"));
+        comparison.cells[0].views[0].edges = Some(EdgeScore { found: 6, precision: 0.5, recall: 0.75 });
+        assert!(rendered(&comparison).contains("worst frame 75.00 %; precision 50.00 %</td>"));
     }
 
     #[test]

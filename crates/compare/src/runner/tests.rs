@@ -92,7 +92,7 @@ fn scored_frames_are_frames_of_the_timed_path() {
     }
 }
 
-/// Recall of tracking at these levels on the machine room, along a path of `frames` frames of `step_deg`, six of them scored.
+/// Recall of tracking at levels 0 and 1 along a path of `frames` frames of `step_deg`, six of them scored.
 fn recall_of_tracking(gpu: &Gpu, step_deg: f64, frames: u32) -> Vec<f64> {
     let mut scene = small(&["tracking"]);
     (scene.path.step_deg, scene.path.frames, scene.path.scored) = (step_deg, frames, 6);

@@ -80,7 +80,7 @@ mod tests {
             format!("{QUICK}\n[[methods]]\nname = 'tracking'\noptions = {{ concavity = [0, 0.5], mesh = 'cut' }}\n")
                 .replace("[\"builtin:torus\",", "[{ mesh = \"a.obj\", truth = \"b.obj\" },");
         let scene = Scene::parse(&text, "mine".to_owned()).unwrap();
-        assert_eq!((scene.name.as_str(), scene.picture.size(), scene.path.frames), ("mine", [512; 2], 60));
+        assert_eq!((scene.name.as_str(), scene.picture.size(), scene.path.frames), ("mine", [512; 2], 30));
         assert_eq!((scene.meshes[0].mesh(), scene.meshes[0].truth()), ("a.obj", Some("b.obj")));
         assert_eq!(scene.meshes[1], MeshSpec::Plain("builtin:gear".to_owned()));
         let options = &scene.methods[0].options;
@@ -112,12 +112,12 @@ mod tests {
         let unknown = changed("swing-deg", "swing");
         assert!(unknown.contains(&format!("line {}: ", line("swing-deg"))), "{unknown}");
         assert!(unknown.contains("unknown field `swing`") && unknown.contains("swing-deg"), "{unknown}");
-        let wrong_type = changed("frames = 60 ", "frames = \"many\" ");
-        assert!(wrong_type.contains(&format!("line {}: frames: ", line("frames = 60"))), "{wrong_type}");
+        let wrong_type = changed("frames = 30 ", "frames = \"many\" ");
+        assert!(wrong_type.contains(&format!("line {}: frames: ", line("frames = 30"))), "{wrong_type}");
         assert!(changed("kind = \"orbit\"", "kind = \"flight\"").contains("orbit"));
         assert!(changed("height = 512", "").contains("missing field `height`"));
         assert!(changed("[\"builtin:torus\",", "[7,").contains("truth = \"fine.obj\""));
-        assert!(changed("frames = 60 ", "frames = -1 ").contains("frames"));
+        assert!(changed("frames = 30 ", "frames = -1 ").contains("frames"));
         assert!(refused("[path").contains("line 1: "));
         let long = refused(&format!("# {}", "x".repeat(MAX_BYTES as usize)));
         assert!(long.contains("no scene"), "{long}");

@@ -100,7 +100,7 @@ mod tests {
             (&|s| s.path.swing_deg = 80.0, "path.swing-deg = 80"),
             (&|s| s.path.step_deg = f64::INFINITY, "path.step-deg = inf"),
             (&|s| s.path.frames = 0, "path.frames = 0 does not fit: 1 to 100000"),
-            (&|s| s.path.scored = 61, "at most path.frames = 60, since timed frames are scored"),
+            (&|s| s.path.scored = 31, "at most path.frames = 30, since timed frames are scored"),
             (&|s| (s.path.frames, s.path.scored) = (9999, 9999), "at most 256 frames of 512 x 512 pixels"),
         ];
         for (change, expected) in cases {
