@@ -38,8 +38,8 @@ impl Random {
     }
 
     /// A point whose coordinates are whole numbers of a range.
-    pub fn lattice_point(&mut self, range: &Range<i32>) -> [i32; 3] {
-        [0; 3].map(|_| self.whole(range.clone()))
+    pub fn lattice_point(&mut self, range: Range<i32>) -> [i32; 3] {
+        [range.clone(), range.clone(), range].map(|range| self.whole(range))
     }
 
     /// A number from 0 to below 1, a multiple of `2^-53`.
