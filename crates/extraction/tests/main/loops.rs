@@ -1,15 +1,19 @@
-use crate::scenes::{adversarial, prepare, soup, viewpoint, zoo};
 use proptest::prelude::*;
+use silhouette_core::glam::Vec3;
 use silhouette_core::method::ExtractsMovingEdges;
-use silhouette_core::{ExtractsLoops, PreparedMesh, SilhouetteLoops, TriangleMesh, Viewpoint};
+use silhouette_core::{ExtractsLoops, SilhouetteLoops, TriangleMesh, Viewpoint};
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones};
-use std::sync::Arc;
+use silhouette_testing::edits::mapped;
+use silhouette_testing::prepare::{method, prepared};
+use silhouette_testing::strategies::{lattice_viewpoint, soup};
+use silhouette_testing::views::hard_viewpoints;
+use silhouette_testing::{builtin, zoo};
 
 fn check(name: &str, mesh: TriangleMesh, views: &[Viewpoint]) {
-    let mesh = Arc::new(PreparedMesh::new(mesh));
-    let mut oracle: BruteForce = prepare(&mesh);
+    let mesh = prepared(mesh);
+    let mut oracle: BruteForce = method(&mesh);
     let methods: [Box<dyn ExtractsLoops>; 2] =
-        [Box::new(prepare::<BruteForceSimd>(&mesh)), Box::new(prepare::<ClusterCones>(&mesh))];
+        [Box::new(method::<BruteForceSimd>(&mesh)), Box::new(method::<ClusterCones>(&mesh))];
     let (mut expected, mut found) = (SilhouetteLoops::default(), SilhouetteLoops::default());
     for mut method in methods {
         for view in views {
@@ -22,22 +26,20 @@ fn check(name: &str, mesh: TriangleMesh, views: &[Viewpoint]) {
 
 #[test]
 fn loops_equal_those_of_brute_force() {
-    for (name, mesh) in zoo() {
-        let views = adversarial(&mesh, 10);
+    for (name, mesh) in zoo::all() {
+        let views = hard_viewpoints(&mesh, 10);
         check(name, mesh, &views);
     }
 }
 
 #[test]
 fn loops_follow_a_mesh_that_moves() {
-    let mesh = silhouette_core::shapes::by_name("torus:40,24").unwrap();
-    let flattened: Vec<_> =
-        mesh.positions().iter().map(|p| *p * silhouette_core::glam::Vec3::new(1.0, 0.2, 1.0)).collect();
-    let views = adversarial(&mesh, 3);
-    let frozen = TriangleMesh::new(flattened.clone(), mesh.triangles().to_vec()).unwrap();
-    let mut oracle: BruteForce = prepare(&Arc::new(PreparedMesh::new(frozen)));
-    let mut moving: BruteForceSimd = prepare(&Arc::new(PreparedMesh::new(mesh)));
-    moving.update_positions(&flattened).unwrap();
+    let mesh = builtin("torus:40,24");
+    let flattened = mapped(&mesh, |position| position * Vec3::new(1.0, 0.2, 1.0));
+    let views = hard_viewpoints(&mesh, 3);
+    let mut moving: BruteForceSimd = method(&prepared(mesh));
+    moving.update_positions(flattened.positions()).unwrap();
+    let mut oracle: BruteForce = method(&prepared(flattened));
     let (mut expected, mut found) = (SilhouetteLoops::default(), SilhouetteLoops::default());
     for view in &views {
         oracle.extract_loops(view, &mut expected);
@@ -48,7 +50,7 @@ fn loops_follow_a_mesh_that_moves() {
 
 proptest! {
     #[test]
-    fn any_soup(mesh in soup(), views in prop::collection::vec(viewpoint(), 1..8)) {
+    fn any_soup(mesh in soup(150), views in prop::collection::vec(lattice_viewpoint(4), 1..8)) {
         check("soup", mesh, &views);
     }
 }

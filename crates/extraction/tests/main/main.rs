@@ -5,4 +5,3 @@ mod exactness;
 mod loops;
 mod moving;
 mod random;
-mod scenes;

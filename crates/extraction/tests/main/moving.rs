@@ -1,35 +1,28 @@
-use crate::scenes::{adversarial, prepare, zoo};
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::{ExtractsMovingEdges, PositionsError};
-use silhouette_core::{ExtractsEdges, PreparedMesh, SilhouetteEdges, TriangleMesh, VertexId};
+use silhouette_core::{ExtractsEdges, SilhouetteEdges, VertexId};
 use silhouette_extraction::{BruteForce, BruteForceSimd};
-use std::sync::Arc;
-
-/// A twist that turns each height by another angle, and grows with time.
-fn twisted(mesh: &TriangleMesh, time: f32) -> Vec<Vec3> {
-    let twist = |p: &Vec3| {
-        let (sin, cos) = (p.y * time).sin_cos();
-        Vec3::new(p.x * cos - p.z * sin, p.y * (1.0 + 3.0 * time), p.x * sin + p.z * cos) + Vec3::X * 10.0 * time
-    };
-    mesh.positions().iter().map(twist).collect()
-}
+use silhouette_testing::edits::{twisted, with_positions};
+use silhouette_testing::prepare::{method, prepared};
+use silhouette_testing::views::hard_viewpoints;
+use silhouette_testing::{builtin, zoo};
 
 #[test]
 fn a_moving_mesh_equals_a_new_mesh_at_each_frame() {
-    for (name, mesh) in zoo() {
-        let prepared = Arc::new(PreparedMesh::new(mesh));
-        let mut moving: BruteForceSimd = prepare(&prepared);
-        for frame in 0..4 {
-            let positions = twisted(prepared.mesh(), frame as f32 * 0.3);
+    for (name, mesh) in zoo::all() {
+        let mut moving: BruteForceSimd = method(&prepared(mesh.clone()));
+        for time in [0.0, 0.3, 0.6, 0.9_f32] {
+            let aside = Vec3::X * 10.0 * time;
+            let positions: Vec<Vec3> = twisted(&mesh, time, 3.0).into_iter().map(|position| position + aside).collect();
             moving.update_positions(&positions).unwrap();
-            let frozen = TriangleMesh::new(positions, prepared.mesh().triangles().to_vec()).unwrap();
-            let views = adversarial(&frozen, 5);
-            let mut oracle: BruteForce = prepare(&Arc::new(PreparedMesh::new(frozen)));
+            let frozen = with_positions(&mesh, positions);
+            let views = hard_viewpoints(&frozen, 5);
+            let mut oracle: BruteForce = method(&prepared(frozen));
             let (mut expected, mut found) = (SilhouetteEdges::default(), SilhouetteEdges::default());
             for view in &views {
                 oracle.extract_edges(view, &mut expected);
                 moving.extract_edges(view, &mut found);
-                assert_eq!(found, expected, "{name}, frame {frame}, {view:?}");
+                assert_eq!(found, expected, "{name}, time {time}, {view:?}");
             }
         }
     }
@@ -37,11 +30,11 @@ fn a_moving_mesh_equals_a_new_mesh_at_each_frame() {
 
 #[test]
 fn positions_that_do_not_fit_are_refused_and_change_nothing() {
-    let mesh = silhouette_core::shapes::by_name("blob:500").unwrap();
-    let views = adversarial(&mesh, 1);
+    let mesh = builtin("blob:500");
+    let views = hard_viewpoints(&mesh, 1);
     let mut positions = mesh.positions().to_vec();
     let vertices = positions.len();
-    let mut moving: BruteForceSimd = prepare(&Arc::new(PreparedMesh::new(mesh)));
+    let mut moving: BruteForceSimd = method(&prepared(mesh));
     let (mut before, mut after) = (SilhouetteEdges::default(), SilhouetteEdges::default());
     moving.extract_edges(&views[4], &mut before);
     let short = moving.update_positions(&positions[1..]);

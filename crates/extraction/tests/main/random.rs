@@ -1,12 +1,14 @@
-use crate::scenes::{adversarial, prepare, soup, viewpoint, zoo};
 use proptest::prelude::*;
-use silhouette_core::glam::Vec3;
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, Method, NoProgress, PreparedMesh, SilhouetteEdges, SilhouetteLoops, TriangleMesh,
+    ExtractsEdges, ExtractsLoops, Method, PreparedMesh, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh,
     Viewpoint,
 };
 use silhouette_extraction::{BruteForce, Randomized, RandomizedOptions};
+use silhouette_testing::prepare::{artefact, method, prepared};
+use silhouette_testing::strategies::{lattice_viewpoint, soup};
+use silhouette_testing::views::{hard_viewpoints, seen_from};
+use silhouette_testing::{builtin, zoo};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -14,16 +16,12 @@ fn randomized(mesh: &Arc<PreparedMesh>, probes: f64) -> Randomized {
     Randomized::new(mesh, RandomizedOptions { probes, ..RandomizedOptions::default() }).unwrap()
 }
 
-fn eye(x: f32, y: f32, z: f32) -> Viewpoint {
-    Viewpoint::Perspective { eye: Vec3::new(x, y, z) }
-}
-
 /// What is found are silhouette edges, and with one half-edge of a loop all of the loop.
 fn check(mesh: TriangleMesh, views: &[Viewpoint]) {
-    let mesh = Arc::new(PreparedMesh::new(mesh));
-    let mut oracle: BruteForce = prepare(&mesh);
+    let mesh = prepared(mesh);
+    let mut oracle: BruteForce = method(&mesh);
     let mut method = randomized(&mesh, 0.2);
-    let topology = mesh.artefact::<silhouette_core::Topology>("test", &NoProgress).unwrap();
+    let topology: Arc<Topology> = artefact(&mesh);
     let (mut found, mut all, mut loops) = <(SilhouetteEdges, SilhouetteEdges, SilhouetteLoops)>::default();
     for view in views {
         method.extract_edges(view, &mut found);
@@ -43,30 +41,30 @@ fn check(mesh: TriangleMesh, views: &[Viewpoint]) {
 
 #[test]
 fn loops_are_found_whole_or_not_at_all() {
-    for (_, mesh) in zoo() {
-        let views = adversarial(&mesh, 8);
+    for (_, mesh) in zoo::all() {
+        let views = hard_viewpoints(&mesh, 8);
         check(mesh, &views);
     }
 }
 
 proptest! {
     #[test]
-    fn any_soup(mesh in soup(), views in prop::collection::vec(viewpoint(), 1..8)) {
+    fn any_soup(mesh in soup(150), views in prop::collection::vec(lattice_viewpoint(4), 1..8)) {
         check(mesh, &views);
     }
 }
 
 #[test]
 fn a_loop_once_found_is_followed_without_luck() {
-    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("icosphere:5").unwrap()));
-    // One probe a view: it takes many views to hit the outline, none to keep it.
+    let mesh = prepared(builtin("icosphere:5"));
+    // One probe per view: it takes many views to hit the outline, and none to keep it.
+    let mut oracle: BruteForce = method(&mesh);
     let mut method = randomized(&mesh, 0.00001);
     let (mut found, mut all) = (SilhouetteEdges::default(), SilhouetteEdges::default());
-    let mut oracle: BruteForce = prepare(&mesh);
     let mut misses_before_first_hit = 0;
     for frame in 0..2000_u16 {
         let angle = f32::from(frame) * 1e-3;
-        let view = eye(3.0 * angle.cos(), 0.3, 3.0 * angle.sin());
+        let view = seen_from([3.0 * angle.cos(), 0.3, 3.0 * angle.sin()]);
         method.extract_edges(&view, &mut found);
         oracle.extract_edges(&view, &mut all);
         if found.is_empty() && misses_before_first_hit == usize::from(frame) {
@@ -80,11 +78,11 @@ fn a_loop_once_found_is_followed_without_luck() {
 
 #[test]
 fn the_seed_decides() {
-    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:20000").unwrap()));
+    let mesh = prepared(builtin("blob:20000"));
     let run = |seed| {
         let mut method = Randomized::new(&mesh, RandomizedOptions { probes: 0.01, seed }).unwrap();
         let mut edges = SilhouetteEdges::default();
-        let views = [eye(3.0, 0.0, 0.0), eye(0.0, 3.0, 0.5), eye(0.0, -1.0, 3.0)];
+        let views = [[3.0, 0.0, 0.0], [0.0, 3.0, 0.5], [0.0, -1.0, 3.0]].map(seen_from);
         views.map(|view| (method.extract_edges(&view, &mut edges), edges.clone()))
     };
     assert_eq!(run(5), run(5));
@@ -93,11 +91,11 @@ fn the_seed_decides() {
 
 #[test]
 fn far_fewer_faces_are_tested() {
-    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:100000").unwrap()));
-    let mut method = randomized(&mesh, RandomizedOptions::default().probes);
+    let mesh = prepared(builtin("blob:100000"));
     let (mut found, mut all) = (SilhouetteEdges::default(), SilhouetteEdges::default());
-    let stats = method.extract_edges(&eye(3.0, 0.0, 0.0), &mut found);
-    prepare::<BruteForce>(&mesh).extract_edges(&eye(3.0, 0.0, 0.0), &mut all);
+    let view = seen_from([3.0, 0.0, 0.0]);
+    let stats = method::<Randomized>(&mesh).extract_edges(&view, &mut found);
+    method::<BruteForce>(&mesh).extract_edges(&view, &mut all);
     assert!(stats.faces_tested < 10_000, "{stats:?}");
     assert!(
         found.len() * 2 > all.len(),
@@ -109,7 +107,7 @@ fn far_fewer_faces_are_tested() {
 
 #[test]
 fn options_out_of_range_are_refused_before_anything_is_built() {
-    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("cube").unwrap()));
+    let mesh = prepared(builtin("cube"));
     for probes in [-0.1, 1.5, f64::NAN] {
         let error = Randomized::new(&mesh, RandomizedOptions { probes, seed: 1 }).unwrap_err();
         assert!(matches!(error, PrepareError::Option(OptionError::Value { name: "probes", .. })), "{error}");

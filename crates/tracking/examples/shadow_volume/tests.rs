@@ -3,8 +3,7 @@
 use super::*;
 use silhouette_core::facing::{Facing, judge};
 use silhouette_core::glam::{Vec3, Vec4};
-use silhouette_core::shapes::by_name;
-use std::path::PathBuf;
+use silhouette_testing::{builtin, edits, real_mesh};
 
 fn scene(mesh: TriangleMesh) -> Scene {
     Scene::new(mesh).unwrap()
@@ -12,9 +11,8 @@ fn scene(mesh: TriangleMesh) -> Scene {
 
 /// The faces of a mesh that lie below a height.
 fn below(mesh: &TriangleMesh, height: f32) -> TriangleMesh {
-    let is_below = |triangle: &&[u32; 3]| triangle.iter().all(|&vertex| mesh.positions()[vertex as usize].y < height);
-    let kept = mesh.triangles().iter().filter(is_below).copied().collect();
-    TriangleMesh::new(mesh.positions().to_vec(), kept).unwrap()
+    let is_below = |vertex: u32| mesh.positions()[vertex as usize].y < height;
+    edits::keeping(mesh, |face| mesh.triangles()[face].into_iter().all(is_below))
 }
 
 /// Three pages at one spine, wound as they come: cut where they meet.
@@ -54,7 +52,7 @@ fn assert_right(name: &str, scene: &Scene, caps: Caps, [frames, step_deg, points
 #[test]
 fn closed_meshes_by_every_rule() {
     for name in ["torus:30,18", "gear", "blob:1200", "knot:2,3,80,10", "cube"] {
-        let scene = scene(by_name(name).unwrap());
+        let scene = scene(builtin(name));
         assert_eq!(Caps::fitting(&scene.table, &scene.mesh), Caps::FrontAndBack);
         let by_rule: Vec<_> =
             scene.rules().iter().map(|&caps| assert_right(name, &scene, caps, [12, 31, 60]).shadowed).collect();
@@ -65,9 +63,9 @@ fn closed_meshes_by_every_rule() {
 
 #[test]
 fn open_and_cut_meshes_by_both_rules() {
-    let bowl = below(&by_name("icosphere:3").unwrap(), 0.25);
+    let bowl = below(&builtin("icosphere:3"), 0.25);
     let meshes = [("bowl", bowl), ("pages", pages())];
-    let builtin = ["grid:14,10,0.6", "moebius"].map(|name| (name, by_name(name).unwrap()));
+    let builtin = ["grid:14,10,0.6", "moebius"].map(|name| (name, builtin(name)));
     for (name, mesh) in meshes.into_iter().chain(builtin) {
         let scene = scene(mesh);
         assert_eq!(Caps::fitting(&scene.table, &scene.mesh), Caps::Doubled, "{name}");
@@ -82,7 +80,7 @@ fn open_and_cut_meshes_by_both_rules() {
 /// A light that sees only backs: nothing casts unless faces are doubled. Then the boundary alone makes the sides.
 #[test]
 fn a_sheet_seen_from_behind_casts_by_doubled_faces_only() {
-    let scene = scene(by_name("grid:6,4").unwrap());
+    let scene = scene(builtin("grid:6,4"));
     let light = Viewpoint::Perspective { eye: Vec3::new(0.3, -2.0, 0.2) };
     let mut tracker = scene.tracker().unwrap();
     let loops = tracker.update(&light);
@@ -102,7 +100,7 @@ fn a_sheet_seen_from_behind_casts_by_doubled_faces_only() {
 /// Only doubled faces know of a shadow that no front face casts: that of a body around the light.
 #[test]
 fn a_light_inside_needs_doubled_faces() {
-    let scene = scene(by_name("icosphere:2").unwrap());
+    let scene = scene(builtin("icosphere:2"));
     let light = Viewpoint::Perspective { eye: Vec3::new(0.1, 0.2, -0.15) };
     let mut tracker = scene.tracker().unwrap();
     let loops = tracker.update(&light);
@@ -118,7 +116,7 @@ fn a_light_inside_needs_doubled_faces() {
 
 #[test]
 fn a_directional_light_at_infinity_has_one_far_vertex_and_no_back_cap() {
-    let scene = scene(by_name("cube").unwrap());
+    let scene = scene(builtin("cube"));
     let light = Viewpoint::Orthographic { toward_viewer: Vec3::new(1.0, 2.0, 3.0) };
     let mut volume = scene.volume(Caps::FrontAndBack, Reach::Infinite).unwrap();
     volume.extrude(&light, scene.tracker().unwrap().update(&light));
@@ -131,7 +129,7 @@ fn a_directional_light_at_infinity_has_one_far_vertex_and_no_back_cap() {
 #[test]
 fn both_checks_notice_a_broken_volume() {
     for name in ["cube", "grid:2,1,0.5"] {
-        let scene = scene(by_name(name).unwrap());
+        let scene = scene(builtin(name));
         let caps = Caps::fitting(&scene.table, &scene.mesh);
         let light = scene.light(LightKind::Point, 50.0);
         let mut tracker = scene.tracker().unwrap();
@@ -168,7 +166,7 @@ fn both_checks_notice_a_broken_volume() {
         }
     }
     // No loops at all: caps without sides.
-    let scene = scene(by_name("cube").unwrap());
+    let scene = scene(builtin("cube"));
     let mut volume = scene.volume(Caps::FrontTwice, Reach::Infinite).unwrap();
     volume.extrude(&scene.light(LightKind::Point, 0.0), &Default::default());
     assert!(count_edges(volume.triangles()).unmatched > 0);
@@ -178,7 +176,7 @@ fn both_checks_notice_a_broken_volume() {
 #[test]
 fn the_front_cap_holds_the_faces_that_face_the_light() {
     for name in ["blob:1500", "gear", "grid:20,14,0.8", "moebius", "cube"] {
-        let scene = scene(by_name(name).unwrap());
+        let scene = scene(builtin(name));
         let mut tracker = scene.tracker().unwrap();
         let mut volume = scene.volume(Caps::FrontTwice, Reach::Infinite).unwrap();
         for index in 0..400_u16 {
@@ -202,7 +200,7 @@ fn the_front_cap_holds_the_faces_that_face_the_light() {
 /// Once a light has gone around, going around again allocates nothing.
 #[test]
 fn a_steady_frame_allocates_nothing() {
-    let scene = scene(by_name("blob:3000").unwrap());
+    let scene = scene(builtin("blob:3000"));
     for kind in [LightKind::Point, LightKind::Directional] {
         for &caps in scene.rules() {
             let (mut tracker, mut volume) = (scene.tracker().unwrap(), scene.volume(caps, Reach::Infinite).unwrap());
@@ -222,7 +220,7 @@ fn a_steady_frame_allocates_nothing() {
 /// Lights in a vertex, in the plane of a face, far away: closed in any case, and nothing that is not a number.
 #[test]
 fn degenerate_lights_leave_the_volume_closed_and_finite() {
-    let scene = scene(by_name("cube").unwrap());
+    let scene = scene(builtin("cube"));
     let corner = scene.mesh.positions()[3];
     for eye in [corner, corner * Vec3::new(1.0, 1.0, 5.0), Vec3::ZERO, Vec3::splat(1e30), corner * (1.0 + 1e-7)] {
         let light = Viewpoint::Perspective { eye };
@@ -240,17 +238,9 @@ fn degenerate_lights_leave_the_volume_closed_and_finite() {
 /// The folder that `SILHOUETTES_MODELS` names, for those of these meshes that it holds.
 #[test]
 fn real_meshes() {
-    let Some(folder) = std::env::var_os("SILHOUETTES_MODELS").map(PathBuf::from) else {
-        let _ = writeln!(std::io::stderr(), "skipped real_meshes: SILHOUETTES_MODELS names no folder of meshes");
-        return;
-    };
     for name in ["armadillo.obj", "suzanne.obj", "teapot.obj", "head.off", "dragon.ply"] {
-        let path = folder.join(name);
-        if !path.exists() {
-            let _ = writeln!(std::io::stderr(), "skipped {name}: not in {}", folder.display());
-            continue;
-        }
-        let scene = scene(load::load(&path).unwrap());
+        let Some(mesh) = real_mesh("real_meshes", name) else { continue };
+        let scene = scene(mesh);
         let effort = if scene.mesh.face_count() < 10_000 { [4, 80, 40] } else { [2, 100, 12] };
         let is_closed = Caps::fitting(&scene.table, &scene.mesh) == Caps::FrontAndBack;
         assert_eq!(is_closed, name == "armadillo.obj", "{name}");

@@ -1,4 +1,5 @@
 use crate::scenes::{Scene, options};
+use silhouette_core::glam::Vec3;
 use silhouette_core::{ExtractsEdges, ExtractsLoops, SilhouetteEdges, SilhouetteLoops};
 use silhouette_tracking::{Accuracy, Concavity, ErrorBudget, TestedEdges, TrackerOptions, Tracking};
 
@@ -32,7 +33,7 @@ fn a_steady_frame_allocates_nothing() {
             };
             let counts = [0, 1, 2].map(|_| allocation_counter::measure(&mut fly).count_total);
             assert!(counts[0] > 0, "the counter counts");
-            assert_eq!(counts[2], 0, "{name}, {options:?}: what grows grew in two turns, {counts:?}");
+            assert_eq!(counts[2], 0, "{name}, {options:?}: buffers have grown after two turns, {counts:?}");
         }
     }
 }
@@ -42,7 +43,7 @@ fn moving_a_mesh_again_allocates_nothing() {
     let scene = Scene::builtin("blob:3000");
     let mut tracker = scene.tracker(options(0.0, TestedEdges::All));
     let shapes = [1.0, 1.3, 0.7].map(|stretch| -> Vec<_> {
-        let stretched = |p: &silhouette_core::glam::Vec3| p.with_y(p.y * stretch);
+        let stretched = |p: &Vec3| p.with_y(p.y * stretch);
         scene.mesh.positions().iter().map(stretched).collect()
     });
     let view = scene.orbit(0.0, 1).next().unwrap();

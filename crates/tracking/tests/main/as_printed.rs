@@ -41,20 +41,20 @@ fn the_printed_stop_test_never_holds() {
     assert!(printed.entries.len() > 10 * half_edges.len(), "it goes round and round");
 }
 
-/// Errata: with the stop test mended, all entries but the first name an invisible face.
+/// Errata: with the stop test mended, all entries but the first name a back face.
 #[test]
-fn the_printed_entries_name_invisible_faces() {
+fn the_printed_entries_name_back_faces() {
     let (scene, facings, half_edges) = sphere();
     let is_front = |face| facings.is_front(face);
     let slips = (StopTest::CurrentFace, AppendedFace::TestFace);
     let printed = complete_silhouette(scene.table.topology(), is_front, half_edges[0], slips, 10_000);
     assert!(printed.ended);
-    let invisible = printed.entries.iter().filter(|entry| !is_front(entry.face.unwrap())).count();
-    assert_eq!((invisible, printed.entries.len()), (half_edges.len() - 1, half_edges.len()));
+    let back = printed.entries.iter().filter(|entry| !is_front(entry.face.unwrap())).count();
+    assert_eq!((back, printed.entries.len()), (half_edges.len() - 1, half_edges.len()));
 }
 
 #[test]
-fn the_printed_walk_goes_round_for_ever_where_all_faces_are_visible() {
+fn the_printed_walk_goes_round_for_ever_where_all_faces_are_front() {
     let scene = Scene::builtin("icosphere:2");
     let rounds = 100 * scene.mesh.face_count();
     let topology = scene.table.topology();
@@ -70,14 +70,14 @@ fn the_printed_walk_goes_round_for_ever_where_all_faces_are_visible() {
     }
     assert_eq!((back, steps % 2), (HalfEdgeId::new(0), 0));
     assert!(steps <= 6 * scene.mesh.face_count());
-    // With one invisible face, it ends.
-    let hidden = silhouette_core::FaceId::new(200);
-    let found = find_silhouette_edge(topology, |face| face != hidden, HalfEdgeId::new(0), rounds);
-    assert!(found.is_none_or(|(half_edge, _)| half_edge.face() != hidden));
+    // With one back face, it ends.
+    let back_face = silhouette_core::FaceId::new(200);
+    let found = find_silhouette_edge(topology, |face| face != back_face, HalfEdgeId::new(0), rounds);
+    assert!(found.is_none_or(|(half_edge, _)| half_edge.face() != back_face));
 }
 
 #[test]
-fn starting_at_the_old_visible_face_takes_more_steps() {
+fn starting_at_the_old_front_face_takes_more_steps() {
     let scene = Scene::builtin("blob:6000");
     let fly = |walk_start| {
         let mut tracker = scene.tracker(TrackerOptions { walk_start, ..TrackerOptions::default() });
@@ -92,7 +92,7 @@ fn starting_at_the_old_visible_face_takes_more_steps() {
         steps as f64 / walks as f64
     };
     let (corrected, printed) = (fly(WalkStart::Corrected), fly(WalkStart::AsPrinted));
-    assert!(printed > 1.5 * corrected, "{printed} steps a walk, {corrected} corrected");
+    assert!(printed > 1.5 * corrected, "{printed} steps per walk, {corrected} corrected");
 }
 
 #[test]

@@ -1,21 +1,23 @@
-use crate::scenes::{Oracle, Scene, moved, together};
+use crate::scenes::{Oracle, Scene};
+use silhouette_core::HalfEdgeId;
 use silhouette_core::glam::Vec3;
-use silhouette_core::shapes::by_name;
-use silhouette_core::{HalfEdgeId, Viewpoint};
+use silhouette_testing::builtin;
+use silhouette_testing::edits::{joined, moved};
+use silhouette_testing::views::seen_from;
 
 fn loops_from(scene: &Scene, eye: [f32; 3]) -> usize {
-    Oracle::default().look(&scene.mesh, scene.table.topology(), &Viewpoint::Perspective { eye: Vec3::from(eye) }).len()
+    Oracle::default().look(&scene.mesh, scene.table.topology(), &seen_from(eye)).len()
 }
 
 /// Hall: at most one silhouette for a convex model, at most 1 + C for one with C concave edges. The first holds for one
 /// closed mesh, seen from outside; the second fails for several.
 #[test]
 fn two_spheres_have_more_silhouettes_than_one_and_their_concave_edges() {
-    let sphere = by_name("icosphere:3").unwrap();
+    let sphere = builtin("icosphere:3");
     let one = Scene::new("sphere", sphere.clone());
     assert_eq!(one.edges.concave().len(), 0);
     assert_eq!([loops_from(&one, [3.0, 1.0, 0.5]), loops_from(&one, [0.1, 0.0, 0.0])], [1, 0], "outside, inside");
-    let two = Scene::new("two spheres", together(&[sphere.clone(), moved(&sphere, Vec3::new(3.0, 0.0, 0.0))]));
+    let two = Scene::new("two spheres", joined(&[&sphere, &moved(&sphere, Vec3::new(3.0, 0.0, 0.0))]));
     assert_eq!(two.edges.concave().len(), 0);
     assert_eq!(loops_from(&two, [1.5, 5.0, 0.3]), 2);
 }
@@ -24,7 +26,7 @@ fn two_spheres_have_more_silhouettes_than_one_and_their_concave_edges() {
 #[test]
 fn a_torus_seen_along_its_axis_has_two_silhouettes_without_a_concave_edge() {
     let scene = Scene::builtin("torus:48,32");
-    let view = Viewpoint::Perspective { eye: Vec3::new(0.003, 9.0, 0.001) };
+    let view = seen_from([0.003, 9.0, 0.001]);
     let mut oracle = Oracle::default();
     let loops = oracle.look(&scene.mesh, scene.table.topology(), &view);
     let is_concave =

@@ -1,20 +1,3 @@
-<<<<<<< HEAD
-use crate::scenes::{Scene, options};
-use silhouette_core::glam::DVec3;
-use silhouette_tracking::TestedEdges;
-
-/// Speed-up counted in faces: all of them over those that a frame evaluates, over one flight around the mesh, 3 radii away
-/// and level with it, in steps of 0.1 degrees whose first frame is found by brute force and not counted. What the paper
-/// prints is set beside such counts in `silhouette-papers`.
-fn counted(scene: &Scene, level_rad: f32, frames: u32) -> f64 {
-    let mut tracker = scene.tracker(options(level_rad, TestedEdges::All));
-    let mut evaluated = 0;
-    for frame in 0..=frames {
-        let (sin, cos) = (24.0 + 0.1 * f64::from(frame)).to_radians().sin_cos();
-        tracker.update(&scene.view(DVec3::new(cos, 0.0, sin), 3.0));
-        assert_eq!(tracker.stats().brute_force.is_some(), frame == 0);
-        evaluated += if frame > 0 { tracker.stats().faces_evaluated } else { 0 };
-=======
 //! What a frame takes in faces, beside the speed-ups that Hall prints.
 
 use crate::scenes::{Scene, options, real_mesh};
@@ -102,7 +85,6 @@ fn counted(scene: &Scene, circle: Circle, level_rad: f32) -> f64 {
             evaluated += tracker.stats().faces_evaluated;
             frames += 1;
         }
->>>>>>> wt-a
     }
     (scene.mesh.face_count() as u64 * frames) as f64 / evaluated as f64
 }
@@ -121,8 +103,6 @@ fn outside(figure: f64, of: &[f64]) -> f64 {
     figure / figure.clamp(least, most) - 1.0
 }
 
-<<<<<<< HEAD
-=======
 #[test]
 fn counted_speed_ups_on_the_bunny_range_about_those_of_the_paper() {
     let test = "counted_speed_ups_on_the_bunny_range_about_those_of_the_paper";
@@ -138,23 +118,16 @@ fn counted_speed_ups_on_the_bunny_range_about_those_of_the_paper() {
     }
 }
 
->>>>>>> wt-a
 /// Each level evaluates fewer faces than the one below, and brute force all of them.
 #[test]
 fn higher_levels_evaluate_less() {
     let scene = Scene::builtin("blob:4000");
-<<<<<<< HEAD
-    let counts = [0.0, 0.01, 0.1, 0.2, 0.5, 1.0].map(|level_rad| counted(&scene, level_rad, 360));
-    assert!(counts.is_sorted(), "{counts:?}");
-    assert!(counts[0] > 1.05 && counts[5] > 1.5 * counts[0], "{counts:?}");
-=======
     let by_level: Vec<_> = LEVELS.iter().map(|level| on_all_circles(&scene, level.level_rad)).collect();
     for (index, circle) in circles().enumerate() {
         let counts: Vec<_> = by_level.iter().map(|level| level[index]).collect();
         assert!(counts.is_sorted(), "{circle:?}: {counts:?}");
         assert!(counts[0] > 1.05 && counts[5] > 1.5 * counts[0], "{circle:?}: {counts:?}");
     }
->>>>>>> wt-a
     let mut brute_force = scene.brute_force();
     brute_force.update(&scene.orbit(0.0, 1).next().unwrap());
     assert_eq!(brute_force.stats().faces_evaluated, 4000);

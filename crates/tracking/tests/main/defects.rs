@@ -1,25 +1,13 @@
 use crate::scenes::{Scene, ordered, real_meshes};
-use silhouette_core::glam::Vec3;
 use silhouette_core::method::{OptionError, PrepareError};
-use silhouette_core::shapes::by_name;
-use silhouette_core::{EdgeId, FaceId, Method, PreparedMesh, TriangleMesh};
+use silhouette_core::{EdgeId, FaceId, Method};
+use silhouette_testing::prepare::prepared;
+use silhouette_testing::zoo;
 use silhouette_tracking::{DefectKind, MeshPolicy, TrackerOptions, Tracking, TrackingOptions};
-use std::sync::Arc;
-
-/// A blob with a fin on one of its edges, and with one face turned over.
-fn faulty() -> TriangleMesh {
-    let mesh = by_name("blob:600").unwrap();
-    let (mut positions, mut triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
-    let [a, b, _] = triangles[300];
-    positions.push(positions[a as usize] * 1.4);
-    triangles.push([a, b, positions.len() as u32 - 1]);
-    triangles[100].swap(0, 1);
-    TriangleMesh::new(positions, triangles).unwrap()
-}
 
 #[test]
 fn defects_are_refused_by_name() {
-    let scene = Scene::new("faulty", faulty());
+    let scene = Scene::new("finned blob", zoo::finned_blob());
     let refusal = scene.try_tracker(TrackerOptions::default()).unwrap_err();
     let of_kind = |kind| refusal.defects.iter().filter(move |defect| defect.kind == kind);
     let fin: Vec<_> = of_kind(DefectKind::NonManifold).collect();
@@ -34,8 +22,8 @@ fn defects_are_refused_by_name() {
 }
 
 #[test]
-fn the_method_passes_the_refusal_on() {
-    let mesh = Arc::new(PreparedMesh::new(faulty()));
+fn the_method_reports_the_refusal() {
+    let mesh = prepared(zoo::finned_blob());
     let refusal = Tracking::new(&mesh, TrackingOptions::default()).unwrap_err();
     assert!(matches!(refusal, PrepareError::Mesh(_)), "{refusal}");
     let cut = TrackingOptions { mesh_policy: MeshPolicy::Cut, ..TrackingOptions::default() };
@@ -67,14 +55,11 @@ fn tracks_when_cut(scene: &Scene) {
 }
 
 #[test]
-fn meshes_that_were_cut_are_tracked_as_any_other() {
-    tracks_when_cut(&Scene::new("faulty", faulty()));
-    tracks_when_cut(&Scene::builtin("moebius"));
-    let book: Vec<Vec3> = [[0, 0, 0], [0, 1, 0], [1, 0, 0], [-1, 0, 1], [-1, 0, -1]]
-        .map(|p: [i8; 3]| Vec3::from(p.map(f32::from)))
-        .to_vec();
-    tracks_when_cut(&Scene::new("book", TriangleMesh::new(book, vec![[0, 1, 2], [0, 1, 3], [0, 1, 4]]).unwrap()));
-    for scene in real_meshes("meshes_that_were_cut_are_tracked_as_any_other") {
+fn cut_meshes_are_tracked_as_any_other() {
+    for (name, mesh) in zoo::defective() {
+        tracks_when_cut(&Scene::new(name, mesh));
+    }
+    for scene in real_meshes("cut_meshes_are_tracked_as_any_other") {
         if !scene.table.defects().is_empty() {
             tracks_when_cut(&scene);
         }
@@ -83,7 +68,7 @@ fn meshes_that_were_cut_are_tracked_as_any_other() {
 
 #[test]
 fn a_severed_edge_is_a_boundary_edge_for_each_of_its_faces() {
-    let scene = Scene::new("faulty", faulty());
+    let scene = Scene::new("finned blob", zoo::finned_blob());
     let topology = scene.table.topology();
     let edges: Vec<EdgeId> = scene.table.defects().iter().map(|defect| defect.edge).collect();
     let cut: usize = edges.iter().map(|&edge| topology.half_edges(edge).len()).sum();

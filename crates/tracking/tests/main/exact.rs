@@ -1,9 +1,12 @@
-use crate::scenes::{Oracle, Random, Scene, ordered, real_meshes, zoo};
-use silhouette_core::glam::{DVec3, Vec3};
+use crate::scenes::{Oracle, Scene, ordered, real_meshes, zoo};
+use silhouette_core::glam::{DVec3, Quat, Vec3};
 use silhouette_core::prepared::Artefact;
-use silhouette_core::{ExtractsEdges, Method, NoOptions, PreparedMesh, SilhouetteEdges, Viewpoint};
+use silhouette_core::{ExtractsEdges, FaceId, Method, NoOptions, SilhouetteEdges, Viewpoint};
+use silhouette_testing::edits::with_positions;
+use silhouette_testing::prepare::prepared;
+use silhouette_testing::views::{hard_eye, seen_from};
+use silhouette_testing::{Random, builtin};
 use silhouette_tracking::{Accuracy, BruteForceReason, ExactTracking, TrackedEdges, TrackerOptions};
-use std::sync::Arc;
 
 fn exact() -> TrackerOptions {
     TrackerOptions { accuracy: Accuracy::Exact, ..TrackerOptions::default() }
@@ -16,11 +19,11 @@ fn paths(scene: &Scene, frames: u32) -> Vec<(&'static str, Vec<Viewpoint>)> {
         let way = f64::from(frame) / f64::from(frames) * 2.0 - 1.0;
         scene.view(DVec3::new(0.3, 0.5, 1.0), if way == 0.0 { 1e-3 } else { 2.5 * way })
     };
-    let mut random = Random(frames.into());
+    let mut random = Random::new(frames.into());
     let mut at = bounds.center + DVec3::new(0.9, 1.1, -0.8) * bounds.radius;
     let mut walk = |_| {
         at += random.vector() * (0.02 * bounds.radius);
-        Viewpoint::Perspective { eye: at.as_vec3() }
+        seen_from(at.as_vec3())
     };
     let parallel = |frame: u32| {
         let (sin, cos) = (f64::from(frame) * 0.004).sin_cos();
@@ -55,7 +58,7 @@ fn equals_brute_force(scene: &Scene, frames: u32) {
     }
 }
 
-/// Frames a path: few unless `SILHOUETTES_EXACT_FRAMES` says how many.
+/// Frames per path: few unless `SILHOUETTES_EXACT_FRAMES` says how many.
 fn frames(few: u32) -> u32 {
     std::env::var("SILHOUETTES_EXACT_FRAMES").map_or(few, |frames| frames.parse().expect("a number of frames"))
 }
@@ -74,23 +77,23 @@ fn no_loop_is_missed_on_real_meshes() {
     }
 }
 
-/// Jumps anywhere: inside, onto vertices, into planes of faces, to eyes that are none, between kinds of view.
+/// Jumps anywhere: inside, onto vertices, into planes of faces, to eyes that are not finite, between kinds of view.
 #[test]
 fn any_view_may_follow_any_other() {
     for scene in zoo() {
         let mut tracker = scene.tracker(exact());
         let mut oracle = Oracle::default();
-        let mut random = Random(scene.mesh.face_count() as u64);
+        let mut random = Random::new(scene.mesh.face_count() as u64);
         let (center, radius) = scene.mesh.bounds().map(|bounds| (bounds.center, bounds.radius)).unwrap();
         for frame in 0..120 {
-            let corners = scene.mesh.triangles()[random.below(scene.mesh.face_count())];
-            let [a, b, c] = corners.map(|vertex| scene.mesh.positions()[vertex as usize]);
             let view = match random.below(6) {
-                0 => Viewpoint::Perspective { eye: (center + random.vector() * radius).as_vec3() },
-                1 => Viewpoint::Perspective { eye: a },
-                2 => Viewpoint::Perspective { eye: a * 2.0 - b + (c - a) * 0.5 },
-                3 => Viewpoint::Orthographic { toward_viewer: b - a },
-                4 => Viewpoint::Perspective { eye: Vec3::new(f32::NAN, 0.0, f32::INFINITY) },
+                0 => seen_from((center + random.vector() * radius).as_vec3()),
+                1 | 2 => seen_from(hard_eye(&scene.mesh, &mut random)),
+                3 => {
+                    let [a, b, _] = scene.mesh.corners(FaceId::from_usize(random.below(scene.mesh.face_count())));
+                    Viewpoint::Orthographic { toward_viewer: b - a }
+                }
+                4 => seen_from([f32::NAN, 0.0, f32::INFINITY]),
                 _ => Viewpoint::Orthographic { toward_viewer: random.vector().as_vec3() },
             };
             let topology = scene.table.topology();
@@ -114,7 +117,7 @@ fn a_frame_costs_what_changes() {
     }
     assert!(shares[0] > 0.999, "the first frame looks at every face");
     let mean = shares[1..].iter().sum::<f64>() / 199.0;
-    assert!((0.001..0.05).contains(&mean), "{mean} of the faces a frame");
+    assert!((0.001..0.05).contains(&mean), "{mean} of the faces per frame");
 }
 
 /// A mesh that is turned before a resting eye is seen as if the eye had gone around it.
@@ -125,10 +128,10 @@ fn a_moving_mesh_is_followed() {
     let mut oracle = Oracle::default();
     let view = scene.view(DVec3::new(0.2, 0.3, 1.0), 3.0);
     for frame in 0..30 {
-        let turn = silhouette_core::glam::Quat::from_rotation_y(frame as f32 * 0.05);
+        let turn = Quat::from_rotation_y(frame as f32 * 0.05);
         let positions: Vec<Vec3> = scene.mesh.positions().iter().map(|&position| turn * position).collect();
         tracker.move_mesh(&positions).unwrap();
-        let mesh = silhouette_core::TriangleMesh::new(positions, scene.mesh.triangles().to_vec()).unwrap();
+        let mesh = with_positions(&scene.mesh, positions);
         let topology = scene.table.topology();
         let expected = oracle.look(&mesh, topology, &view);
         assert!(ordered(topology, tracker.update(&view)) == *expected, "frame {frame}");
@@ -138,10 +141,10 @@ fn a_moving_mesh_is_followed() {
 /// The exact mode finds no concave edges, and needs none.
 #[test]
 fn the_method_prepares_no_more_than_it_says() {
-    let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("blob:1000").unwrap()));
+    let mesh = prepared(builtin("blob:1000"));
     let mut method = ExactTracking::new(&mesh, NoOptions).unwrap();
     let mut edges = SilhouetteEdges::default();
-    method.extract_edges(&Viewpoint::Perspective { eye: Vec3::new(3.0, 1.0, 0.0) }, &mut edges);
+    method.extract_edges(&seen_from([3.0, 1.0, 0.0]), &mut edges);
     assert!(!edges.is_empty());
     let built: Vec<_> = mesh.report().iter().map(|artefact| artefact.name).collect();
     assert!(ExactTracking::INFO.needs.iter().all(|need| built.contains(need)), "{built:?}");

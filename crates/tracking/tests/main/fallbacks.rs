@@ -1,11 +1,8 @@
 use crate::scenes::{Oracle, Scene, options, ordered, zoo};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{SilhouetteLoops, Viewpoint};
+use silhouette_testing::views::seen_from;
 use silhouette_tracking::{BruteForceReason, Concavity, TestedEdges, Tracker, TrackerOptions};
-
-fn eye(x: f32, y: f32, z: f32) -> Viewpoint {
-    Viewpoint::Perspective { eye: Vec3::new(x, y, z) }
-}
 
 fn reason(tracker: &mut Tracker, view: &Viewpoint) -> Option<BruteForceReason> {
     tracker.update(view);
@@ -37,25 +34,25 @@ fn the_same_view_again_is_the_identity_and_walks_nothing() {
 }
 
 #[test]
-fn reasons_are_told() {
+fn reasons_are_reported() {
     let scene = Scene::builtin("icosphere:3");
     let mut tracker = scene.tracker(TrackerOptions::default());
-    assert_eq!(reason(&mut tracker, &eye(3.0, 0.0, 0.0)), Some(BruteForceReason::FirstFrame));
-    assert_eq!(reason(&mut tracker, &eye(3.0, 0.1, 0.0)), None);
-    assert_eq!(reason(&mut tracker, &eye(-3.0, 0.1, 0.0)), Some(BruteForceReason::Jump));
-    assert_eq!(reason(&mut tracker, &eye(-2.9, 0.1, 0.0)), None);
+    assert_eq!(reason(&mut tracker, &seen_from([3.0, 0.0, 0.0])), Some(BruteForceReason::FirstFrame));
+    assert_eq!(reason(&mut tracker, &seen_from([3.0, 0.1, 0.0])), None);
+    assert_eq!(reason(&mut tracker, &seen_from([-3.0, 0.1, 0.0])), Some(BruteForceReason::Jump));
+    assert_eq!(reason(&mut tracker, &seen_from([-2.9, 0.1, 0.0])), None);
     let along = Viewpoint::Orthographic { toward_viewer: Vec3::X };
     assert_eq!(reason(&mut tracker, &along), Some(BruteForceReason::Jump), "another kind of view");
     let turned = Viewpoint::Orthographic { toward_viewer: Vec3::new(5.0, 0.2, 0.0) };
     assert_eq!(reason(&mut tracker, &turned), None);
-    assert_eq!(reason(&mut tracker, &eye(f32::NAN, 0.0, 0.0)), Some(BruteForceReason::Jump));
-    assert_eq!(reason(&mut tracker, &eye(3.0, 0.0, 0.0)), Some(BruteForceReason::NothingToTrack));
+    assert_eq!(reason(&mut tracker, &seen_from([f32::NAN, 0.0, 0.0])), Some(BruteForceReason::Jump));
+    assert_eq!(reason(&mut tracker, &seen_from([3.0, 0.0, 0.0])), Some(BruteForceReason::NothingToTrack));
     tracker.reset();
     assert!(tracker.loops().is_empty() && tracker.ids().is_empty());
-    assert_eq!(reason(&mut tracker, &eye(3.0, 0.0, 0.0)), Some(BruteForceReason::FirstFrame));
+    assert_eq!(reason(&mut tracker, &seen_from([3.0, 0.0, 0.0])), Some(BruteForceReason::FirstFrame));
     let mut never = scene.tracker(TrackerOptions { jump: 0.0, ..TrackerOptions::default() });
-    never.update(&eye(3.0, 0.0, 0.0));
-    assert_eq!(reason(&mut never, &eye(3.0, 0.0, 1e-6)), Some(BruteForceReason::Jump));
+    never.update(&seen_from([3.0, 0.0, 0.0]));
+    assert_eq!(reason(&mut never, &seen_from([3.0, 0.0, 1e-6])), Some(BruteForceReason::Jump));
 }
 
 /// A convex mesh has no concave edge at which its silhouette could be found again after the eye was inside.
@@ -67,7 +64,7 @@ fn an_eye_that_leaves_a_convex_mesh_finds_its_silhouette() {
     assert_eq!(scene.edges.concave().len(), 0);
     let mut reasons = Vec::new();
     for step in 0..60_u8 {
-        let view = eye(0.0, 0.03, 2.0 - 0.05 * f32::from(step));
+        let view = seen_from([0.0, 0.03, 2.0 - 0.05 * f32::from(step)]);
         let expected = oracle.look(&scene.mesh, scene.table.topology(), &view);
         assert_eq!(ordered(scene.table.topology(), tracker.update(&view)), *expected, "step {step}");
         let is_inside = (f32::from(step) * 0.05 - 2.0).abs() < 0.98;
@@ -92,7 +89,7 @@ fn flights_through_a_mesh_equal_brute_force() {
             let t = f64::from(step) * 0.01;
             let direction = DVec3::new((1.3 * t).sin(), (0.9 * t + 0.4).cos(), (2.1 * t).sin());
             let eye = (bounds.center + direction * (bounds.radius * (1.2 - 0.29 * t))).as_vec3();
-            let view = Viewpoint::Perspective { eye };
+            let view = seen_from(eye);
             let expected = oracle.look(&scene.mesh, scene.table.topology(), &view);
             assert_eq!(ordered(scene.table.topology(), tracker.update(&view)), *expected, "{name}, step {step}");
             tracked += usize::from(tracker.stats().brute_force.is_none());

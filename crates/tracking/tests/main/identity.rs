@@ -1,12 +1,10 @@
-use crate::scenes::{Scene, moved, options, together};
+use crate::scenes::{Scene, options};
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::shapes::by_name;
-use silhouette_core::{TriangleMesh, Viewpoint};
+use silhouette_core::{HalfEdgeId, TriangleMesh};
+use silhouette_testing::builtin;
+use silhouette_testing::edits::{joined, moved};
+use silhouette_testing::views::seen_from;
 use silhouette_tracking::{Accuracy, LoopEvent, LoopId, TestedEdges, Tracker, TrackerOptions};
-
-fn eye(eye: DVec3) -> Viewpoint {
-    Viewpoint::Perspective { eye: eye.as_vec3() }
-}
 
 /// Births, deaths, splits and merges of the last frame.
 fn tally(tracker: &Tracker) -> [usize; 4] {
@@ -35,7 +33,7 @@ fn turn_a_torus(mut tracker: Tracker) {
     let views = |range: std::ops::Range<u16>| {
         range.map(|step| f64::from(step).to_radians() * 0.25).map(|angle| {
             let (sin, cos) = angle.sin_cos();
-            eye(DVec3::new(sin, cos, 0.003) * 12.0)
+            seen_from((DVec3::new(sin, cos, 0.003) * 12.0).as_vec3())
         })
     };
     let mut totals = [0; 4];
@@ -100,7 +98,7 @@ fn split_and_merge(mut tracker: Tracker) {
     let mut loops_seen = Vec::new();
     for (frame, step) in steps.enumerate() {
         let (sin, cos) = (f64::from(step) * 0.25 + 0.01).to_radians().sin_cos();
-        tracker.update(&eye(DVec3::new(sin, cos * 0.99, cos * 0.13) * 9.0));
+        tracker.update(&seen_from((DVec3::new(sin, cos * 0.99, cos * 0.13) * 9.0).as_vec3()));
         loops_seen.push(tracker.loops().len());
         if frame > 0 {
             assert_eq!(tracker.stats().brute_force, None);
@@ -116,10 +114,11 @@ fn split_and_merge(mut tracker: Tracker) {
 /// Bodies that do not touch: each keeps its loop and its id, however the loops are found.
 #[test]
 fn disjoint_bodies_keep_their_ids() {
-    let ball = by_name("icosphere:3").unwrap();
+    let ball = builtin("icosphere:3");
     let places = [Vec3::ZERO, Vec3::new(4.0, 0.0, 0.0), Vec3::new(0.0, 4.0, 1.0)];
-    let scene = Scene::new("three balls", together(&places.map(|place| moved(&ball, place))));
-    let body_of = |half_edge: silhouette_core::HalfEdgeId| half_edge.face().index() / ball.face_count();
+    let balls = places.map(|place| moved(&ball, place));
+    let scene = Scene::new("three balls", joined(&balls.each_ref()));
+    let body_of = |half_edge: HalfEdgeId| half_edge.face().index() / ball.face_count();
     for tested in [TestedEdges::All, TestedEdges::Single] {
         let mut tracker = scene.tracker(options(0.0, tested));
         let mut id_of_body: Option<[LoopId; 3]> = None;

@@ -1,19 +1,11 @@
-use crate::scenes::{Oracle, Scene, moved, ordered, together, zoo};
-use silhouette_core::glam::Vec3;
-use silhouette_core::method::ExtractsMovingEdges;
-use silhouette_core::method::PositionsError;
-use silhouette_core::shapes::by_name;
-use silhouette_core::{ExtractsEdges, SilhouetteEdges, TriangleMesh, VertexId, Viewpoint};
+use crate::scenes::{Oracle, Scene, ordered, zoo};
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::method::{ExtractsMovingEdges, PositionsError};
+use silhouette_core::{ExtractsEdges, SilhouetteEdges, VertexId};
+use silhouette_testing::builtin;
+use silhouette_testing::edits::{joined, moved, twisted, with_positions};
+use silhouette_testing::views::seen_from;
 use silhouette_tracking::{BruteForceReason, TrackerOptions, Tracking};
-
-/// A twist that grows with time.
-fn twisted(mesh: &TriangleMesh, time: f32) -> Vec<Vec3> {
-    let twist = |p: &Vec3| {
-        let (sin, cos) = (p.y * time).sin_cos();
-        Vec3::new(p.x * cos - p.z * sin, p.y * (1.0 + 0.3 * time), p.x * sin + p.z * cos)
-    };
-    mesh.positions().iter().map(twist).collect()
-}
 
 #[test]
 fn a_mesh_that_moves_equals_brute_force_in_each_frame() {
@@ -22,9 +14,9 @@ fn a_mesh_that_moves_equals_brute_force_in_each_frame() {
         let mut oracle = Oracle::default();
         let mut tracked = 0;
         for (frame, view) in scene.orbit(0.5, 60).enumerate() {
-            let positions = twisted(&scene.mesh, frame as f32 * 0.01);
+            let positions = twisted(&scene.mesh, frame as f32 * 0.01, 0.3);
             tracker.move_mesh(&positions).unwrap();
-            let frozen = TriangleMesh::new(positions, scene.mesh.triangles().to_vec()).unwrap();
+            let frozen = with_positions(&scene.mesh, positions);
             let expected = oracle.look(&frozen, scene.table.topology(), &view);
             let found = ordered(scene.table.topology(), tracker.update(&view));
             assert_eq!(found, *expected, "{}, frame {frame}", scene.name);
@@ -41,12 +33,10 @@ fn a_mesh_that_may_have_passed_the_eye_is_found_anew() {
     let scene = Scene::builtin("icosphere:3");
     let mut tracker = scene.tracker(TrackerOptions::default());
     let mut oracle = Oracle::default();
-    let view = scene.view(silhouette_core::glam::DVec3::X, 3.0);
+    let view = scene.view(DVec3::X, 3.0);
     for step in 0..60_u8 {
-        let positions: Vec<Vec3> =
-            scene.mesh.positions().iter().map(|&p| p + Vec3::X * (0.1 * f32::from(step))).collect();
-        tracker.move_mesh(&positions).unwrap();
-        let frozen = TriangleMesh::new(positions, scene.mesh.triangles().to_vec()).unwrap();
+        let frozen = moved(&scene.mesh, Vec3::X * (0.1 * f32::from(step)));
+        tracker.move_mesh(frozen.positions()).unwrap();
         let expected = oracle.look(&frozen, scene.table.topology(), &view);
         assert_eq!(ordered(scene.table.topology(), tracker.update(&view)), *expected, "step {step}");
     }
@@ -74,10 +64,10 @@ fn positions_that_do_not_fit_are_refused_and_change_nothing() {
 /// A ball moves off an eye that rests inside it: its outline, which holds no concave edge, comes from nowhere.
 #[test]
 fn a_body_that_passes_a_resting_eye_is_noticed() {
-    let ball = by_name("icosphere:3").unwrap();
-    let scene = Scene::new("two balls", together(&[moved(&ball, Vec3::new(6.0, 0.0, 0.0)), ball.clone()]));
+    let ball = builtin("icosphere:3");
+    let scene = Scene::new("two balls", joined(&[&moved(&ball, Vec3::new(6.0, 0.0, 0.0)), &ball]));
     let mut tracker = scene.tracker(TrackerOptions::default());
-    let view = Viewpoint::Perspective { eye: Vec3::new(0.1, 0.2, 0.05) };
+    let view = seen_from([0.1, 0.2, 0.05]);
     assert_eq!(tracker.update(&view).len(), 1, "of the ball around the eye nothing is seen");
     let first = ball.vertex_count();
     let positions: Vec<Vec3> = (scene.mesh.positions().iter().enumerate())

@@ -52,7 +52,7 @@ fn level_0_equals_brute_force_on_built_in_shapes() {
     }
 }
 
-/// Frames an orbit: few on large meshes unless `SILHOUETTES_ORBIT_FRAMES` says how many.
+/// Frames per orbit: few on large meshes unless `SILHOUETTES_ORBIT_FRAMES` says how many.
 fn frames(few: u32) -> u32 {
     std::env::var("SILHOUETTES_ORBIT_FRAMES").map_or(few, |frames| frames.parse().expect("a number of frames"))
 }

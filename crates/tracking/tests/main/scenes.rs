@@ -1,16 +1,15 @@
 //! Meshes, views, and an oracle that shares no code with the tracker.
 
-use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::glam::DVec3;
 use silhouette_core::loops::LoopWalker;
-use silhouette_core::shapes::by_name;
-use silhouette_core::{
-    FaceFacings, NoProgress, PreparedMesh, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint, load,
-};
+use silhouette_core::{FaceFacings, PreparedMesh, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint};
+use silhouette_testing::prepare::artefact;
+use silhouette_testing::views::{orbit, seen_from_radii};
+use silhouette_testing::{builtin, zoo};
 use silhouette_tracking::{
     BruteForce, Concavity, ConnectivityTable, MeshPolicy, NotTrackable, TestedEdges, TrackedEdges, Tracker,
     TrackerOptions,
 };
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A mesh with all that its trackers share.
@@ -24,13 +23,12 @@ pub struct Scene {
 impl Scene {
     pub fn new(name: impl Into<String>, mesh: TriangleMesh) -> Self {
         let prepared = PreparedMesh::new(mesh);
-        let edges = prepared.artefact("test", &NoProgress).unwrap();
-        let table = prepared.artefact("test", &NoProgress).unwrap();
-        Self { name: name.into(), mesh: Arc::clone(prepared.mesh()), edges, table }
+        let mesh = Arc::clone(prepared.mesh());
+        Self { name: name.into(), mesh, edges: artefact(&prepared), table: artefact(&prepared) }
     }
 
     pub fn builtin(name: &str) -> Self {
-        Self::new(name, by_name(name).unwrap_or_else(|error| panic!("{name}: {error}")))
+        Self::new(name, builtin(name))
     }
 
     pub fn try_tracker(&self, options: TrackerOptions) -> Result<Tracker, NotTrackable> {
@@ -47,17 +45,12 @@ impl Scene {
 
     /// A view from `distance_radii` of the bounding sphere.
     pub fn view(&self, direction: DVec3, distance_radii: f64) -> Viewpoint {
-        let bounds = self.mesh.bounds().unwrap();
-        let eye = bounds.center + direction.normalize() * (distance_radii * bounds.radius);
-        Viewpoint::Perspective { eye: eye.as_vec3() }
+        seen_from_radii(&self.mesh, direction, distance_radii)
     }
 
     /// `frames` views on a tilted circle, `step_deg` apart.
     pub fn orbit(&self, step_deg: f64, frames: u32) -> impl Iterator<Item = Viewpoint> + '_ {
-        (0..frames).map(move |frame| {
-            let (sin, cos) = (f64::from(frame) * step_deg.to_radians() + 0.417).sin_cos();
-            self.view(DVec3::new(cos, 0.34 + 0.2 * sin, sin), 2.4)
-        })
+        orbit(&self.mesh, step_deg, frames)
     }
 }
 
@@ -91,93 +84,20 @@ pub fn ordered(topology: &Topology, loops: &SilhouetteLoops) -> SilhouetteLoops 
     out
 }
 
-/// A mesh without every `nth` face.
-pub fn with_holes(mesh: &TriangleMesh, nth: usize) -> TriangleMesh {
-    let kept = mesh.triangles().iter().enumerate().filter(|(face, _)| face % nth != 0);
-    TriangleMesh::new(mesh.positions().to_vec(), kept.map(|(_, &triangle)| triangle).collect()).unwrap()
-}
-
-/// Several meshes as one.
-pub fn together(meshes: &[TriangleMesh]) -> TriangleMesh {
-    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
-    for mesh in meshes {
-        let first = positions.len() as u32;
-        positions.extend_from_slice(mesh.positions());
-        triangles.extend(mesh.triangles().iter().map(|triangle| triangle.map(|vertex| vertex + first)));
-    }
-    TriangleMesh::new(positions, triangles).unwrap()
-}
-
-/// The same mesh elsewhere.
-pub fn moved(mesh: &TriangleMesh, by: Vec3) -> TriangleMesh {
-    TriangleMesh::new(mesh.positions().iter().map(|&p| p + by).collect(), mesh.triangles().to_vec()).unwrap()
-}
-
 /// Closed and open meshes of every kind, all trackable without cutting.
 pub fn zoo() -> Vec<Scene> {
-    let mut zoo: Vec<Scene> =
-        ["blob:3000", "torus:40,24", "gear", "knot", "cylinder", "icosphere:3", "grid:20,14", "cube"]
-            .into_iter()
-            .map(Scene::builtin)
-            .collect();
-    let blob = by_name("blob:2000,0.5").unwrap();
-    zoo.push(Scene::new("blob with holes", with_holes(&blob, 37)));
-    zoo.push(Scene::new(
-        "two tori",
-        together(&[by_name("torus:30,20").unwrap(), moved(&by_name("torus:24,16").unwrap(), Vec3::new(0.3, 1.1, 0.2))]),
-    ));
-    zoo
+    zoo::edge_manifold().into_iter().map(|(name, mesh)| Scene::new(name, mesh)).collect()
 }
 
-/// The meshes in the folder that `SILHOUETTES_MODELS` names; where it is unset, none, and a line that says so.
+/// The meshes in the folder that `SILHOUETTES_MODELS` names; if it is unset, none, and a line that says so.
 pub fn real_meshes(test: &str) -> Vec<Scene> {
-    let Some(folder) = std::env::var_os("SILHOUETTES_MODELS").map(PathBuf::from) else {
-        skipped(test, "SILHOUETTES_MODELS names no folder of meshes");
-        return Vec::new();
-    };
-    let mut paths: Vec<_> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
-    paths.retain(|path| load::Format::of(path).is_some());
-    paths.sort();
-    paths.iter().map(|path| loaded(path)).collect()
+    silhouette_testing::real_meshes(test).map(|(name, mesh)| Scene::new(name, mesh)).collect()
 }
 
 /// One of the meshes in that folder; where there is none, a line that says so.
 pub fn real_mesh(test: &str, name: &str) -> Option<Scene> {
-    let path = std::env::var_os("SILHOUETTES_MODELS").map(|folder| PathBuf::from(folder).join(name));
-    let path = path.filter(|path| path.exists());
-    if path.is_none() {
-        skipped(test, &format!("SILHOUETTES_MODELS names no folder with {name}"));
-    }
-    path.map(|path| loaded(&path))
+    Some(Scene::new(name, silhouette_testing::real_mesh(test, name)?))
 }
 
-fn loaded(path: &Path) -> Scene {
-    Scene::new(path.file_name().unwrap().to_string_lossy(), load::load(path).unwrap())
-}
-
-/// Says on stderr that a test did not run, and why.
-#[allow(clippy::print_stderr, reason = "a skip must be seen")]
-pub fn skipped(test: &str, why: &str) {
-    eprintln!("skipped {test}: {why}");
-}
-
-/// Reproducible random numbers: a linear congruential generator, of which the high bits are used.
-pub struct Random(pub u64);
-
-impl Random {
-    /// A number between -1 and 1.
-    pub fn signed(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    /// A number from 0 to one below `count`.
-    pub fn below(&mut self, count: usize) -> usize {
-        ((self.signed() * 0.5 + 0.5) * count as f64) as usize % count
-    }
-
-    /// A point in the cube from -1 to 1.
-    pub fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.signed(), self.signed(), self.signed())
-    }
-}
+// Tests that look for one mesh among the real ones skip with it.
+pub use silhouette_testing::skipped;

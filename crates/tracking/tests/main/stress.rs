@@ -1,27 +1,29 @@
-use crate::scenes::{Random, Scene, ordered, real_meshes, zoo};
+use crate::scenes::{Scene, ordered, real_meshes, zoo};
 use proptest::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{FaceId, TriangleMesh, Viewpoint};
+use silhouette_testing::Random;
+use silhouette_testing::strategies::{lattice_viewpoint, soup};
+use silhouette_testing::views::{hard_eye, seen_from};
 use silhouette_tracking::{Concavity, TestedEdges, TrackerOptions};
 
 /// A view that is hard to get right: far, near, inside, on a vertex, an edge or a face, in a plane, or no view at all;
 /// or, half the time, a small step from the last one.
 fn next_view(scene: &Scene, random: &mut Random, last: &Viewpoint) -> Viewpoint {
     let bounds = scene.mesh.bounds().unwrap();
-    let [a, b, c] = scene.mesh.corners(FaceId::from_usize(random.below(scene.mesh.face_count()))).map(Vec3::as_dvec3);
-    let place = |p: DVec3| Viewpoint::Perspective { eye: p.as_vec3() };
+    let place = |p: DVec3| seen_from(p.as_vec3());
     let around = |random: &mut Random, radii: f64| place(bounds.center + random.vector() * (radii * bounds.radius));
     match random.below(20) {
         0 => around(random, 1.0),
         1 => around(random, 5.0),
         2 => around(random, 1e7),
-        3 => place(a),
-        4 => place((a + b) * 0.5),
-        5 => place((a + b + c) / 3.0),
-        6 => place(a + (b - a) * (3.0 * random.signed()) + (c - a) * (3.0 * random.signed())),
+        3..=6 => seen_from(hard_eye(&scene.mesh, random)),
         7 => Viewpoint::Orthographic { toward_viewer: random.vector().as_vec3() },
-        8 => Viewpoint::Orthographic { toward_viewer: (b - a).as_vec3() },
-        9 if random.below(8) == 0 => Viewpoint::Perspective { eye: Vec3::new(f32::NAN, f32::INFINITY, 0.0) },
+        8 => {
+            let [a, b, _] = scene.mesh.corners(FaceId::from_usize(random.below(scene.mesh.face_count())));
+            Viewpoint::Orthographic { toward_viewer: b - a }
+        }
+        9 if random.one_in(8) => seen_from([f32::NAN, f32::INFINITY, 0.0]),
         _ => {
             let step = 10.0_f64.powi(-(random.below(7) as i32)) * bounds.radius;
             match *last {
@@ -37,21 +39,21 @@ fn next_view(scene: &Scene, random: &mut Random, last: &Viewpoint) -> Viewpoint 
 
 /// Random updates; whatever is found is silhouette, no walk takes more than it may, memory does not grow.
 fn stress(scene: &Scene, updates: u32, seed: u64) {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut tracker = scene.tracker(TrackerOptions::default());
     let mut brute_force = scene.brute_force();
-    let mut view = Viewpoint::Perspective { eye: Vec3::ONE };
+    let mut view = seen_from(Vec3::ONE);
     let topology = scene.table.topology();
     let most_steps = 12 * scene.mesh.face_count() as u64;
     let most_half_edges = topology.half_edge_count();
     let mut missed = 0;
     for update in 0..updates {
         view = next_view(scene, &mut random, &view);
-        if random.below(50) == 0 {
+        if random.one_in(50) {
             let levels = [Concavity::Above(0.0), Concavity::Above(0.3), Concavity::Ignored];
             tracker.set_concavity(levels[random.below(3)]);
         }
-        if random.below(300) == 0 {
+        if random.one_in(300) {
             tracker.reset();
         }
         let found = tracker.update(&view).half_edges().len();
@@ -99,7 +101,7 @@ fn a_mesh_without_faces_has_no_silhouette() {
     let scene = Scene::new("empty", TriangleMesh::new(vec![Vec3::ONE], vec![]).unwrap());
     let mut tracker = scene.tracker(TrackerOptions::default());
     for eye in [Vec3::ZERO, Vec3::X, Vec3::NAN] {
-        assert!(tracker.update(&Viewpoint::Perspective { eye }).is_empty());
+        assert!(tracker.update(&seen_from(eye)).is_empty());
     }
 }
 
@@ -109,23 +111,15 @@ proptest! {
     /// Triangles over few vertices on a coarse grid: every kind of defect, and eyes in most planes.
     #[test]
     fn any_soup(
-        positions in prop::collection::vec(prop::array::uniform3(-3_i8..=3), 12),
-        triangles in prop::collection::vec(prop::array::uniform3(0_u32..12), 0..80),
-        eyes in prop::collection::vec((prop::array::uniform3(-4_i8..=4), any::<bool>()), 1..20),
+        mesh in soup(80),
+        views in prop::collection::vec(lattice_viewpoint(4), 1..20),
         single in any::<bool>(),
     ) {
-        let positions = positions.into_iter().map(|p| Vec3::from(p.map(f32::from))).collect();
-        let scene = Scene::new("soup", TriangleMesh::new(positions, triangles).unwrap());
+        let scene = Scene::new("soup", mesh);
         let tested_edges = if single { TestedEdges::Single } else { TestedEdges::All };
         let mut tracker = scene.tracker(TrackerOptions { tested_edges, jump: 100.0, ..TrackerOptions::default() });
         let mut brute_force = scene.brute_force();
-        for (point, is_eye) in eyes {
-            let point = Vec3::from(point.map(f32::from));
-            let view = if is_eye {
-                Viewpoint::Perspective { eye: point }
-            } else {
-                Viewpoint::Orthographic { toward_viewer: point }
-            };
+        for view in views {
             let all = ordered(scene.table.topology(), brute_force.update(&view));
             let all: std::collections::BTreeSet<&[_]> = all.iter().collect();
             let found = ordered(scene.table.topology(), tracker.update(&view));

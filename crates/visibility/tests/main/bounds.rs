@@ -1,20 +1,18 @@
 //! Upper bounds of a view's memory and work.
 
 use crate::determinism::options;
-use crate::scenes::{builtin, framing, with_threads};
-use crate::whole_scenes::Random;
+use crate::scenes::{finder, framing};
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{Camera, NoProgress, PreparedMesh, Projection, TriangleMesh};
-use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene};
-use std::sync::Arc;
+use silhouette_core::{Camera, NoProgress, Projection, TriangleMesh};
+use silhouette_testing::{Random, builtin, skipped, with_threads};
+use silhouette_visibility::{LineError, LineOptions};
 
 /// Peak of what a view allocates, in bytes, and the edges and contours that it looked at.
 fn peak(name: &str, options: &LineOptions) -> (u64, u64) {
     with_threads(1, || {
         let mesh = builtin(name);
         let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
-        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
-        let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
+        let mut finder = finder(mesh);
         let mut items = 0;
         let allocated = allocation_counter::measure(|| {
             let lines = finder.find(&camera, options, &NoProgress).unwrap();
@@ -28,7 +26,7 @@ fn peak(name: &str, options: &LineOptions) -> (u64, u64) {
 /// placed (150) and in two sets of chains (2 x 150), each array up to twice as long as it is full.
 const BYTES_PER_ITEM: u64 = 1400;
 
-/// Bytes a face, for the facings and the silhouette of any view.
+/// Bytes per face, for the facings and the silhouette of any view.
 const BYTES_PER_FACE: u64 = 8;
 
 #[test]
@@ -49,11 +47,9 @@ fn memory_of_a_view_grows_with_what_is_drawn() {
 #[test]
 fn all_of_a_million_edges_seen_edge_on_are_refused() {
     if std::env::var_os("SILHOUETTES_ORACLE").is_none() {
-        eprintln!("skipped: SILHOUETTES_ORACLE is not set");
-        return;
+        return skipped("all_of_a_million_edges_seen_edge_on_are_refused", "SILHOUETTES_ORACLE is not set");
     }
-    let mesh = builtin("grid:578,578");
-    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
+    let mut finder = finder(builtin("grid:578,578"));
     let projection = Projection::Orthographic { height: 3.0 };
     let camera = Camera::new(Vec3::new(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y, projection, [1024, 1024]).unwrap();
     let options = LineOptions { mesh: true, ..LineOptions::default() };
@@ -65,7 +61,7 @@ fn all_of_a_million_edges_seen_edge_on_are_refused() {
 #[test]
 fn tangles_are_drawn_or_refused_within_a_gibibyte() {
     let mut random = Random::new(7);
-    let mut place = || random.below(1 << 20) as f32 / (1 << 20) as f32;
+    let mut place = || random.unit() as f32;
     let mut needles = Vec::new();
     for _ in 0..6000 {
         needles.extend([-1.0, 1.0, 0.0].map(|x| [x, place(), place()]));
@@ -93,8 +89,7 @@ fn tangles_are_drawn_or_refused_within_a_gibibyte() {
             // The counter sees one thread only.
             let allocated = with_threads(1, || {
                 allocation_counter::measure(|| {
-                    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
-                    result = Some(LineFinder::new(scene, &NoProgress).unwrap().find(&camera, options, &NoProgress));
+                    result = Some(finder(mesh.clone()).find(&camera, options, &NoProgress));
                 })
             });
             let outcome = result.unwrap().map(|lines| lines.chains.len());
@@ -118,8 +113,7 @@ fn faces_listed_thousands_of_times_are_drawn() {
     };
     for (mesh, drawn) in [(heap(&[[0, 1, 5]]), 3), (heap(&[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]), 3)] {
         let camera = framing(&mesh, DVec3::Z, true);
-        let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
-        let lines = finder.find(&camera, &LineOptions::default(), &NoProgress).unwrap();
+        let lines = finder(mesh).find(&camera, &LineOptions::default(), &NoProgress).unwrap();
         let edges: usize = lines.chains.iter().map(|chain| chain.sources.len()).sum();
         assert!(edges >= drawn, "{edges} edges");
     }

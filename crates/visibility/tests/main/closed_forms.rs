@@ -10,10 +10,13 @@
 //! contour: where visibility ends. At a cusp the generator runs along the sight line, so that such an end is also nowhere
 //! near as far off in the picture. Both are in pixels where the surface is nearest to the eye.
 
-use crate::scenes::{all_lines, builtin, directions, framing};
+use crate::scenes::{all_lines, framing};
 use silhouette_core::glam::{DVec2, DVec3};
 use silhouette_core::shapes::{AnalyticContour, Ellipsoid, Sphere, Torus};
-use silhouette_core::{Camera, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{Camera, TriangleMesh, Viewpoint};
+use silhouette_testing::builtin;
+use silhouette_testing::directions::spread;
+use silhouette_testing::edges::longest_edge;
 use silhouette_visibility::{LineOptions, Lines};
 
 /// Steps along a curve in closed form: far shorter than a pixel.
@@ -193,15 +196,6 @@ fn drawn(lines: &Lines, visible: bool) -> Vec<Vec<DVec2>> {
     wanted.map(|chain| chain.pixels.iter().chain(chain.closed.then(|| &chain.pixels[0])).copied().collect()).collect()
 }
 
-fn longest_edge(mesh: &TriangleMesh) -> f64 {
-    let topology = Topology::new(mesh);
-    let length = |edge| {
-        let [a, b] = topology.end_points(edge).map(|vertex| mesh.positions()[vertex.index()].as_dvec3());
-        a.distance(b)
-    };
-    topology.edges().ids().map(length).fold(0.0, f64::max)
-}
-
 /// Allowed distances in pixels. See the [module](self).
 #[derive(Debug, Clone, Copy)]
 struct Tolerance {
@@ -249,7 +243,7 @@ fn apart(lines: &Lines, expected: &Expected, tolerance: Tolerance) -> Apart {
 
 /// Checks a surface at finer and finer tessellations, each with half the edges of the one before.
 fn check(surface: &Surface, tessellations: &[&str]) {
-    for (index, direction) in directions(6).enumerate() {
+    for (index, direction) in spread(6).enumerate() {
         let mut means: Vec<f64> = Vec::new();
         for name in tessellations {
             let mesh = builtin(name);

@@ -1,11 +1,15 @@
-//! The same bits whatever the threads and whatever was asked before; cancelling at any moment; bounded memory.
+//! The same bits for any number of threads and after any earlier views; cancelling at any moment.
 
-use crate::scenes::{all_lines, builtin, directions, framing, joined, look, with_threads};
+use crate::scenes::{all_lines, finder, finder_of, framing};
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
-use silhouette_core::{Cancelled, FaceId, NoProgress, PreparedMesh, Progress};
+use silhouette_core::{Cancelled, FaceId, NoProgress, PreparedMesh};
+use silhouette_testing::directions::spread;
+use silhouette_testing::edits::joined;
+use silhouette_testing::prepare::prepared;
+use silhouette_testing::views::look;
+use silhouette_testing::{Cancelling, builtin, with_threads};
 use silhouette_visibility::{ChainStyle, LineError, LineFinder, LineOptions, LineScene, Lines, SegmentSource};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A chain with its numbers as bits, so that 0 and -0 differ and a NaN equals itself.
 type ChainBits = (ChainStyle, bool, Vec<[u64; 3]>, Vec<[u64; 2]>, Vec<SegmentSource>, Vec<[[u64; 2]; 2]>);
@@ -37,7 +41,7 @@ const SHAPES: [&str; 5] = ["knot", "gear", "blob:3000", "moebius", "grid"];
 fn any_number_of_threads_yields_the_same_bits() {
     for name in SHAPES {
         let mesh = builtin(name);
-        for (index, direction) in directions(3).chain([DVec3::X]).enumerate() {
+        for (index, direction) in spread(3).chain([DVec3::X]).enumerate() {
             let camera = framing(&mesh, direction, index % 2 == 0);
             let find = |threads| with_threads(threads, || bits(&all_lines(&mesh, &camera, &options())));
             let alone = find(1);
@@ -52,9 +56,8 @@ fn any_number_of_threads_yields_the_same_bits() {
 fn earlier_views_leave_no_trace() {
     for name in SHAPES {
         let mesh = builtin(name);
-        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
-        let mut finder = LineFinder::new(scene, &NoProgress).unwrap();
-        let cameras: Vec<_> = directions(3).map(|direction| framing(&mesh, direction, true)).collect();
+        let mut finder = finder(mesh.clone());
+        let cameras: Vec<_> = spread(3).map(|direction| framing(&mesh, direction, true)).collect();
         for round in 0..3 {
             for camera in cameras.iter().chain(&cameras[..1]) {
                 let options = if round == 1 { LineOptions::default() } else { options() };
@@ -71,7 +74,7 @@ fn earlier_views_leave_no_trace() {
 fn what_is_known_beforehand_leaves_no_trace() {
     let (knot, gear) = (builtin("knot"), builtin("gear"));
     let mesh = joined(&[&knot, &gear]);
-    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+    let scene = LineScene::new(prepared(mesh.clone()));
     let mut prepared = LineFinder::for_many_views(scene.clone(), &NoProgress).unwrap();
     let mut plain = LineFinder::new(scene.clone(), &NoProgress).unwrap();
     // From the middle of a face on, that face is left out; edges that pass through it do so all the same from elsewhere.
@@ -81,7 +84,7 @@ fn what_is_known_beforehand_leaves_no_trace() {
             plain.find(&look(eye, eye + toward, 120.0, [256, 256]), &options(), &NoProgress).unwrap();
         }
     }
-    for direction in directions(4) {
+    for direction in spread(4) {
         let camera = framing(&mesh, direction, true);
         let mut fresh = LineFinder::new(scene.clone(), &NoProgress).unwrap();
         let [expected, of_prepared, of_plain] = [&mut fresh, &mut prepared, &mut plain]
@@ -98,32 +101,12 @@ fn another_view_has_other_bits() {
     assert!(bits(&all_lines(&mesh, &one, &options())) != bits(&all_lines(&mesh, &other, &options())));
 }
 
-/// Cancels from a given poll on.
-struct CancelAt {
-    polls: AtomicU64,
-    at: u64,
-}
-
-impl CancelAt {
-    fn new(at: u64) -> Self {
-        Self { polls: AtomicU64::new(0), at }
-    }
-}
-
-impl Progress for CancelAt {
-    fn stage(&self, _name: &str, _total: u64) {}
-    fn advance(&self, _steps: u64) {}
-    fn is_cancelled(&self) -> bool {
-        self.polls.fetch_add(1, Ordering::Relaxed) >= self.at
-    }
-}
-
 #[test]
-fn a_view_cancelled_at_any_poll_leaves_the_finder_as_it_was() {
+fn a_view_cancelled_at_any_poll_leaves_the_finder_unchanged() {
     let mesh = builtin("knot");
     let camera = framing(&mesh, DVec3::new(0.5, 0.4, 1.0), true);
     let other = framing(&mesh, DVec3::new(-1.0, 0.4, 0.2), false);
-    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh)));
+    let scene = LineScene::new(prepared(mesh));
     let options = LineOptions::default();
     let find = |finder: &mut LineFinder, camera| bits(&finder.find(camera, &options, &NoProgress).unwrap());
     let expected =
@@ -135,7 +118,7 @@ fn a_view_cancelled_at_any_poll_leaves_the_finder_as_it_was() {
                 let mut finder = LineFinder::new(scene.clone(), &NoProgress).unwrap();
                 // With the remains of another view in it.
                 find(&mut finder, &other);
-                match finder.find(&camera, &options, &CancelAt::new(cancelled)) {
+                match finder.find(&camera, &options, &Cancelling::at_poll(cancelled)) {
                     Err(error) => assert_eq!(error, LineError::Cancelled(Cancelled)),
                     Ok(lines) => {
                         assert!(bits(&lines) == expected[0]);
@@ -153,18 +136,15 @@ fn a_view_cancelled_at_any_poll_leaves_the_finder_as_it_was() {
 
 #[test]
 fn preparation_cancelled_at_any_poll_can_begin_again() {
-    let mesh = Arc::new(PreparedMesh::new(builtin("gear")));
+    let mesh = prepared(builtin("gear"));
     let mut cancelled = 0;
-    while LineFinder::new(LineScene::new(Arc::clone(&mesh)), &CancelAt::new(cancelled)).is_err() {
+    while LineFinder::new(LineScene::new(Arc::clone(&mesh)), &Cancelling::at_poll(cancelled)).is_err() {
         cancelled += 1;
-        assert!(cancelled < 10_000, "preparation never gets through");
+        assert!(cancelled < 10_000, "preparation never ends");
     }
     assert!(cancelled > 0, "preparation is never polled");
-    let fresh = Arc::new(PreparedMesh::new(builtin("gear")));
+    let fresh = prepared(builtin("gear"));
     let camera = framing(fresh.mesh(), DVec3::new(0.5, 0.4, 1.0), true);
-    let find = |mesh: Arc<PreparedMesh>| {
-        let mut finder = LineFinder::new(LineScene::new(mesh), &NoProgress).unwrap();
-        bits(&finder.find(&camera, &options(), &NoProgress).unwrap())
-    };
-    assert!(find(mesh) == find(fresh));
+    let find = |mesh: &Arc<PreparedMesh>| bits(&finder_of(mesh).find(&camera, &options(), &NoProgress).unwrap());
+    assert!(find(&mesh) == find(&fresh));
 }

@@ -1,21 +1,26 @@
 //! Scenes that break the usual assumptions: each yields what brute force yields, or a clear error, and never a panic.
 
 use crate::rays::{Tally, compare};
-use crate::scenes::{all_lines, builtin, directions, framing, joined, look};
-use crate::whole_scenes::{FAMILIES, Random, camera, scene};
+use crate::scenes::{all_lines, finder, framing};
+use crate::whole_scenes::{FAMILIES, camera, scene};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::MAX_VIEWPORT;
-use silhouette_core::{Camera, EdgeId, NoProgress, PreparedMesh, Projection, Topology, TriangleMesh};
+use silhouette_core::{Camera, EdgeId, NoProgress, Projection, Topology, TriangleMesh};
+use silhouette_testing::directions::spread;
+use silhouette_testing::edges::edge_ends;
+use silhouette_testing::edits::{inside_out, joined, keeping, moved, turned_over, with_triangles};
+use silhouette_testing::prepare::prepared;
+use silhouette_testing::views::look;
+use silhouette_testing::{Random, builtin, zoo};
 use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines, SegmentSource};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 /// Silhouette and boundary edges alone, and every mesh edge.
 fn all_options() -> [LineOptions; 2] {
     [LineOptions::default(), LineOptions { mesh: true, ..LineOptions::default() }]
 }
 
-/// Holds lines against brute force in about `wanted` points, and their pixels against the picture's border. Yields what
+/// Holds lines against brute force in about `wanted` points, and their pixels against the border of the picture. Yields what
 /// the comparison saw, or what is wrong.
 fn hold(mesh: &TriangleMesh, lines: &Lines, wanted: usize, what: &str) -> Result<Tally, String> {
     let [width, height] = lines.camera.size().map(f64::from);
@@ -38,7 +43,7 @@ fn check(mesh: &TriangleMesh, lines: &Lines, wanted: usize, what: &str) -> Tally
 /// Checks a mesh from several sides, perspective and orthographic; yields what all comparisons saw together.
 fn check_around(mesh: &TriangleMesh, views: usize, what: &str) -> Tally {
     let mut sum = Tally::default();
-    for (index, direction) in directions(views).chain([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]).enumerate() {
+    for (index, direction) in spread(views).chain([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]).enumerate() {
         let camera = framing(mesh, direction, index % 2 == 0);
         for options in all_options() {
             let tally = check(mesh, &all_lines(mesh, &camera, &options), 400, &format!("{what} from {direction}"));
@@ -52,17 +57,6 @@ fn check_around(mesh: &TriangleMesh, views: usize, what: &str) -> Tally {
     sum
 }
 
-fn moved(mesh: &TriangleMesh, by: Vec3) -> TriangleMesh {
-    let positions = mesh.positions().iter().map(|&position| position + by).collect();
-    TriangleMesh::new(positions, mesh.triangles().to_vec()).unwrap()
-}
-
-fn turned_inside_out(mesh: &TriangleMesh, is_turned: impl Fn(usize) -> bool) -> TriangleMesh {
-    let turn = |(face, &[a, b, c]): (usize, &[u32; 3])| if is_turned(face) { [a, c, b] } else { [a, b, c] };
-    let triangles = mesh.triangles().iter().enumerate().map(turn).collect();
-    TriangleMesh::new(mesh.positions().to_vec(), triangles).unwrap()
-}
-
 fn triangles(corners: &[[f32; 3]], triangles: &[[u32; 3]]) -> TriangleMesh {
     TriangleMesh::new(corners.iter().copied().map(Vec3::from).collect(), triangles.to_vec()).unwrap()
 }
@@ -72,13 +66,13 @@ fn coincident_faces() {
     for name in ["cube", "torus:16,12", "grid:4,4", "gear"] {
         let mesh = builtin(name);
         check_around(&joined(&[&mesh, &mesh]), 3, name);
-        let reversed = turned_inside_out(&mesh, |_| true);
+        let reversed = inside_out(&mesh);
         check_around(&joined(&[&mesh, &reversed]), 3, &format!("{name} and its reverse"));
     }
     // The same faces over the same vertices: each edge has four faces.
     let cube = builtin("cube");
     let twice = [cube.triangles(), cube.triangles()].concat();
-    check_around(&TriangleMesh::new(cube.positions().to_vec(), twice).unwrap(), 3, "each face twice");
+    check_around(&with_triangles(&cube, twice), 3, "each face twice");
     // Cubes that share a side, and one that stands on a larger one: faces in one plane, overlapping in part.
     check_around(&joined(&[&cube, &moved(&cube, Vec3::new(2.0, 0.0, 0.0))]), 4, "two cubes side by side");
     check_around(&joined(&[&cube, &moved(&cube, Vec3::new(1.0, 2.0, 0.5))]), 4, "a cube on a cube");
@@ -120,9 +114,7 @@ fn open_and_non_manifold_meshes() {
     for name in ["grid:6,5", "moebius", "cone"] {
         check_around(&builtin(name), 4, name);
     }
-    let torus = builtin("torus:24,16");
-    let kept = torus.triangles().iter().enumerate().filter(|(face, _)| face % 5 != 0 && face % 7 != 0);
-    let holes = TriangleMesh::new(torus.positions().to_vec(), kept.map(|(_, &face)| face).collect()).unwrap();
+    let holes = keeping(&builtin("torus:24,16"), |face| face % 5 != 0 && face % 7 != 0);
     check_around(&holes, 4, "a torus with holes");
     // A book: seven pages around one spine, their winding alternating; the first one twice.
     let page = |index: u32| {
@@ -141,8 +133,8 @@ fn open_and_non_manifold_meshes() {
 #[test]
 fn inconsistent_winding() {
     for name in ["cube", "torus:16,12", "knot", "gear"] {
-        check_around(&turned_inside_out(&builtin(name), |face| face % 3 == 0 || face % 7 == 2), 3, name);
-        check_around(&turned_inside_out(&builtin(name), |_| true), 2, name);
+        check_around(&turned_over(&builtin(name), |face| face % 3 == 0 || face % 7 == 2), 3, name);
+        check_around(&inside_out(&builtin(name)), 2, name);
     }
 }
 
@@ -153,7 +145,7 @@ fn needles_and_faces_without_area() {
         // A face along an edge and back, one that is a point, and the true one.
         [[a, b, a], [c, c, c], [a, b, c]]
     });
-    check_around(&TriangleMesh::new(torus.positions().to_vec(), faces.collect()).unwrap(), 3, "faces of two corners");
+    check_around(&with_triangles(&torus, faces.collect()), 3, "faces of two corners");
     // Slivers: corners on a line, exactly or but for a last bit; needles a millionth as wide as long.
     let mut corners = Vec::new();
     for index in 0..24_u32 {
@@ -167,11 +159,10 @@ fn needles_and_faces_without_area() {
 
 #[test]
 fn nothing_to_draw() {
-    let nothing = TriangleMesh::new(Vec::new(), Vec::new()).unwrap();
     let points = triangles(&[[0.0; 3], [1.0; 3]], &[[0, 0, 0], [1, 1, 1], [0, 1, 0]]);
     let camera = look(Vec3::new(3.0, 2.0, 1.0), Vec3::ZERO, 40.0, [64, 64]);
     for options in all_options() {
-        assert!(all_lines(&nothing, &camera, &options).chains.is_empty());
+        assert!(all_lines(&zoo::empty(), &camera, &options).chains.is_empty());
         check(&points, &all_lines(&points, &camera, &options), 50, "faces that are points");
     }
     let scene = LineScene::of_meshes(&[]).unwrap();
@@ -183,7 +174,7 @@ fn nothing_to_draw() {
 fn a_mesh_behind_the_eye_shows_nothing() {
     for name in ["cube", "knot"] {
         let mesh = builtin(name);
-        for direction in directions(6) {
+        for direction in spread(6) {
             let camera = framing(&mesh, direction, true);
             let away = look(camera.eye(), camera.eye() * 2.0 - camera.target(), 100.0, [640, 480]);
             for options in all_options() {
@@ -244,7 +235,7 @@ fn a_mesh_partly_behind_the_eye_is_clipped() {
     for name in ["knot", "torus:24,16", "grid:6,6"] {
         let mesh = builtin(name);
         let reach = mesh.bounds().unwrap().radius as f32;
-        for direction in directions(8) {
+        for direction in spread(8) {
             let eye = direction.as_vec3() * (0.4 * reach);
             for fov_deg in [60.0, 150.0] {
                 let camera = look(eye, Vec3::new(0.1, 0.2, -0.1) * reach, fov_deg, [640, 480]);
@@ -285,10 +276,9 @@ fn check_edge_on(name: &str, least_edges: usize, options: &LineOptions) {
     let mesh = builtin(name);
     let topology = Topology::new(&mesh);
     let drawn = topology.edges().ids().filter(|&edge| options.mesh || topology.half_edges(edge).len() == 1);
-    let ends: Vec<[DVec3; 2]> =
-        drawn.map(|edge| topology.end_points(edge).map(|vertex| mesh.positions()[vertex.index()].as_dvec3())).collect();
+    let ends: Vec<[DVec3; 2]> = drawn.map(|edge| edge_ends(&mesh, &topology, edge)).collect();
     assert!(topology.edge_count() > least_edges, "{}", topology.edge_count());
-    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
+    let mut finder = finder(mesh);
     let projections = [Projection::Orthographic { height: 3.0 }, Projection::Perspective { fov_y_rad: 0.7 }];
     for (eye, projection) in [Vec3::new(0.0, 0.0, 4.0), Vec3::new(3.0, 0.0, 4.0)].into_iter().zip(projections) {
         let camera = Camera::new(eye, Vec3::ZERO, Vec3::Y, projection, [1024, 1024]).unwrap();
@@ -301,7 +291,7 @@ fn check_edge_on(name: &str, least_edges: usize, options: &LineOptions) {
 }
 
 #[test]
-fn the_border_of_a_million_edges_seen_edge_on() {
+fn the_boundary_of_a_million_edges_seen_edge_on() {
     check_edge_on("grid:578,578", 1_000_000, &LineOptions::default());
 }
 
@@ -325,7 +315,7 @@ fn crowds_of_faces() {
     let book = triangles(&book, &(0..400).map(|leaf| [0, 1, 2 + leaf]).collect::<Vec<_>>());
     let all_edges = LineOptions { mesh: true, max_invisibility: u32::MAX, ..LineOptions::default() };
     for (name, mesh, least) in [("pile", pile, 3), ("cone", cone, 3000), ("book", book, 801)] {
-        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+        let scene = LineScene::new(prepared(mesh.clone()));
         let mut finder = LineFinder::for_many_views(scene, &NoProgress).unwrap();
         let camera = framing(&mesh, DVec3::new(0.3, 0.2, 1.0), true);
         let lines = finder.find(&camera, &all_edges, &NoProgress).unwrap();

@@ -1,9 +1,12 @@
 //! What a drawing must not depend on: the winding of a solid, and the order of vertices and faces.
 
-use crate::scenes::{all_lines, builtin, framing};
-use crate::whole_scenes::{FAMILIES, Random, camera, scene};
+use crate::scenes::{all_lines, framing};
+use crate::whole_scenes::{FAMILIES, camera, scene};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{Camera, Topology, TriangleMesh, VertexId};
+use silhouette_testing::directions::AXES;
+use silhouette_testing::edits::inside_out;
+use silhouette_testing::{Random, builtin, zoo};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
 use std::collections::BTreeSet;
 
@@ -11,7 +14,7 @@ use std::collections::BTreeSet;
 /// which it lies, in millionths.
 type Stretch = (LineKind, u32, [[u32; 3]; 2], [i64; 2]);
 
-/// All stretches of a drawing, without any number of a vertex or face. Those that continue each other are one.
+/// All stretches of a drawing, without the id of any vertex or face. Those that continue each other are one.
 fn stretches(mesh: &TriangleMesh, lines: &Lines) -> BTreeSet<Stretch> {
     let topology = Topology::new(mesh);
     let mut all = BTreeSet::new();
@@ -33,15 +36,10 @@ fn stretches(mesh: &TriangleMesh, lines: &Lines) -> BTreeSet<Stretch> {
     all
 }
 
-fn inverse(mesh: &TriangleMesh) -> TriangleMesh {
-    let triangles = mesh.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
-    TriangleMesh::new(mesh.positions().to_vec(), triangles).unwrap()
-}
-
 /// The same mesh with vertices and faces in another order, and each face beginning at another corner.
 fn permuted(mesh: &TriangleMesh, random: &mut Random) -> TriangleMesh {
     let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
-    shuffle(&mut order, random);
+    random.shuffle(&mut order);
     let mut positions = vec![Vec3::ZERO; order.len()];
     for (&to, &position) in order.iter().zip(mesh.positions()) {
         positions[to as usize] = position;
@@ -49,17 +47,9 @@ fn permuted(mesh: &TriangleMesh, random: &mut Random) -> TriangleMesh {
     let mut triangles: Vec<[u32; 3]> =
         mesh.triangles().iter().map(|triangle| triangle.map(|vertex| order[vertex as usize])).collect();
     triangles.iter_mut().for_each(|triangle| triangle.rotate_left(random.below(3)));
-    shuffle(&mut triangles, random);
+    random.shuffle(&mut triangles);
     TriangleMesh::new(positions, triangles).unwrap()
 }
-
-fn shuffle<T>(items: &mut [T], random: &mut Random) {
-    for last in (1..items.len()).rev() {
-        items.swap(last, random.below(last + 1));
-    }
-}
-
-const AXES: [DVec3; 6] = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
 
 fn creases() -> LineOptions {
     LineOptions { ridge_deg: Some(30.0), valley_deg: Some(30.0), ..LineOptions::default() }
@@ -67,20 +57,8 @@ fn creases() -> LineOptions {
 
 #[test]
 fn a_solid_and_its_inverse_have_one_drawing_along_axes() {
-    let shapes = [
-        "cube",
-        "icosphere:2",
-        "uv-sphere",
-        "ellipsoid",
-        "cylinder",
-        "cone",
-        "torus:24,16",
-        "knot",
-        "gear",
-        "blob:2000",
-    ];
-    for name in shapes {
-        let (mesh, turned) = (builtin(name), inverse(&builtin(name)));
+    for (name, mesh) in zoo::closed() {
+        let turned = inside_out(&mesh);
         for direction in AXES {
             for perspective in [true, false] {
                 let camera = framing(&mesh, direction, perspective);
@@ -103,7 +81,7 @@ fn a_scene_and_its_inverse_have_one_drawing() {
         let mesh = scene(FAMILIES[random.below(FAMILIES.len())], &mut random);
         let Some(camera) = camera(&mesh, &mut random) else { continue };
         let draw = |mesh: &TriangleMesh| stretches(mesh, &all_lines(mesh, &camera, &LineOptions::default()));
-        assert!(draw(&mesh) == draw(&inverse(&mesh)), "seed {seed}");
+        assert!(draw(&mesh) == draw(&inside_out(&mesh)), "seed {seed}");
     }
 }
 

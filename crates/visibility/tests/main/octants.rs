@@ -1,8 +1,11 @@
 //! A cube from every octant: nine edges are visible, and the three at the far corner are hidden.
 
-use crate::scenes::{all_lines, builtin, framing};
+use crate::scenes::{all_lines, framing};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
+use silhouette_testing::builtin;
+use silhouette_testing::directions::octants;
+use silhouette_testing::edits::{keeping, mapped};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
 use std::collections::BTreeMap;
 
@@ -19,15 +22,7 @@ fn options() -> LineOptions {
 
 fn cube(half: f32, offset: f32) -> TriangleMesh {
     let center = Vec3::new(1.0, -0.7, 0.4) * (offset * half);
-    let cube = builtin("cube");
-    let positions = cube.positions().iter().map(|&corner| corner * half + center).collect();
-    TriangleMesh::new(positions, cube.triangles().to_vec()).unwrap()
-}
-
-/// A direction inside of each octant, far enough from its walls that the eye of a perspective sees three sides too.
-fn octants() -> impl Iterator<Item = DVec3> {
-    let sign = |octant: u32, axis: u32| if octant >> axis & 1 == 1 { 1.0 } else { -1.0 };
-    (0..8).map(move |octant| DVec3::new(0.8 * sign(octant, 0), 0.55 * sign(octant, 1), sign(octant, 2)))
+    mapped(&builtin("cube"), |corner| corner * half + center)
 }
 
 /// For each edge that is drawn: why, how many cover it, and its ends; an edge in several pieces fails.
@@ -95,9 +90,7 @@ fn an_open_box_shows_more() {
         let cube = cube(1.0, 0.0);
         // The sides come in the order -x, +x, -y, +y, -z, +z, two faces each.
         let lid = if direction.y > 0.0 { 3 } else { 2 };
-        let kept = cube.triangles().iter().enumerate().filter(|(face, _)| face / 2 != lid);
-        let triangles = kept.map(|(_, &triangle)| triangle).collect();
-        let open = TriangleMesh::new(cube.positions().to_vec(), triangles).unwrap();
+        let open = keeping(&cube, |face| face / 2 != lid);
         let camera = framing(&open, direction, true);
         let hidden_px = |mesh| {
             let lines = all_lines(mesh, &camera, &options());

@@ -1,17 +1,19 @@
 //! The outline against the picture of all faces: what it encloses, and that it is a planar map.
 
-use crate::scenes::{builtin, directions, framing, joined, look, model};
-use crate::whole_scenes::{FAMILIES, Random, camera, scene, seeds};
+use crate::scenes::{finder, framing};
+use crate::whole_scenes::{FAMILIES, camera, scene, seeds};
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::view::Projection;
-use silhouette_core::{Camera, NoProgress, PreparedMesh, TriangleMesh};
-use silhouette_visibility::{LineFinder, LineScene, Outline};
+use silhouette_core::{Camera, NoProgress, TriangleMesh};
+use silhouette_testing::directions::spread;
+use silhouette_testing::edits::{inside_out, joined, keeping, moved};
+use silhouette_testing::views::look;
+use silhouette_testing::{Random, builtin, real_mesh};
+use silhouette_visibility::Outline;
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 fn outline(mesh: &TriangleMesh, camera: &Camera) -> Outline {
-    let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
-    LineFinder::new(scene, &NoProgress).unwrap().outline(camera, &NoProgress).unwrap()
+    finder(mesh.clone()).outline(camera, &NoProgress).unwrap()
 }
 
 /// Edges of all polygons.
@@ -143,13 +145,13 @@ fn check(name: &str, mesh: &TriangleMesh, camera: &Camera) -> usize {
 fn the_outline_bounds_what_is_covered() {
     for name in ["cube", "icosphere:3", "torus:48,24", "knot", "gear", "blob:3000", "moebius", "grid", "cone"] {
         let mesh = builtin(name);
-        for (index, direction) in directions(5).enumerate() {
+        for (index, direction) in spread(5).enumerate() {
             let inside = check(name, &mesh, &framing(&mesh, direction, index % 2 == 0));
             assert!(inside > 10, "{name} from {direction}: {inside}");
         }
     }
     for name in ["cow.obj", "spot.obj", "teapot.obj", "stanford-bunny.obj"] {
-        if let Some(mesh) = model(name) {
+        if let Some(mesh) = real_mesh("the_outline_bounds_what_is_covered", name) {
             check(name, &mesh, &framing(&mesh, DVec3::new(0.55, 0.35, 1.0), true));
         }
     }
@@ -194,18 +196,16 @@ fn a_contour_through_the_eye_leaves_the_outline_finite() {
 #[test]
 fn an_eye_inside_of_a_solid_sees_it_everywhere() {
     let cube = builtin("cube");
-    let inward =
-        TriangleMesh::new(cube.positions().to_vec(), cube.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect());
     let camera = look(Vec3::ZERO, Vec3::new(0.1, 0.05, -1.0), 60.0, [640, 480]);
-    for mesh in [&cube, &inward.unwrap()] {
+    for mesh in [&cube, &inside_out(&cube)] {
         let outline = outline(mesh, &camera);
         check_map(&outline);
         assert_eq!((outline.rings.len(), outline.rings[0].len()), (1, 4), "{outline:?}");
         assert!(is_inside(&outline.rings, DVec2::splat(100.0)) == Some(true));
     }
-    let ahead = |corners: &[u32; 3]| corners.iter().all(|&corner| cube.positions()[corner as usize].z < 0.0);
-    let rest: Vec<[u32; 3]> = cube.triangles().iter().copied().filter(|corners| !ahead(corners)).collect();
-    let open = outline(&TriangleMesh::new(cube.positions().to_vec(), rest).unwrap(), &camera);
+    let is_ahead = |corner: u32| cube.positions()[corner as usize].z < 0.0;
+    let rest = keeping(&cube, |face| !cube.triangles()[face].into_iter().all(is_ahead));
+    let open = outline(&rest, &camera);
     check_map(&open);
     let hole = camera.project(DVec3::new(0.0, 0.0, -1.0)).unwrap().pixel;
     assert_eq!(open.regions().map(<[_]>::len).collect::<Vec<_>>(), [2], "a hole in what is covered");
@@ -276,8 +276,7 @@ fn is_seen(triangles: &[[DVec3; 3]], camera: &Camera, pixel: DVec2) -> Option<bo
 #[test]
 fn what_coincides_in_the_picture_is_one_ring() {
     let cube = builtin("cube");
-    let behind = cube.positions().iter().map(|&corner| corner - Vec3::Z * 3.0).collect();
-    let line = joined(&[&cube, &TriangleMesh::new(behind, cube.triangles().to_vec()).unwrap()]);
+    let line = joined(&[&cube, &moved(&cube, Vec3::Z * -3.0)]);
     let [torus, gear] = ["torus", "gear"].map(builtin);
     // Of three axes, one looks through the hole.
     for (mesh, expected) in [(&cube, [1, 1, 1]), (&line, [1, 2, 2]), (&torus, [1, 1, 2]), (&gear, [1, 1, 2])] {
@@ -298,7 +297,7 @@ fn what_coincides_in_the_picture_is_one_ring() {
 #[test]
 fn what_lies_beyond_the_picture_changes_nothing_in_it() {
     let mesh = builtin("knot");
-    for direction in directions(6) {
+    for direction in spread(6) {
         let camera = framing(&mesh, direction, true).with_size([1000, 1000]).unwrap();
         let [width, height] = camera.size();
         let whole = outline(&mesh, &camera);

@@ -1,14 +1,16 @@
 //! The region that an outline encloses against a raster of all faces, zoomed in and out.
 
 use crate::rays::is_thorough;
-use crate::scenes::{builtin, directions, framing, model};
+use crate::scenes::{finder, framing};
 use silhouette_core::glam::DVec2;
 use silhouette_core::view::Projection;
-use silhouette_core::{Camera, NoProgress, PreparedMesh, TriangleMesh};
+use silhouette_core::{Camera, NoProgress, TriangleMesh};
+use silhouette_testing::directions::spread;
+use silhouette_testing::prepare::prepared;
+use silhouette_testing::{builtin, real_mesh};
 use silhouette_visibility::{LineFinder, LineScene};
-use std::sync::Arc;
 
-/// Which pixels' centres are covered, a bit each.
+/// Which pixels' centres are covered, one bit per pixel.
 struct Raster {
     side: usize,
     words: Vec<u64>,
@@ -125,12 +127,14 @@ const ZOOMS: [f64; 4] = [5.0, 1.0, 0.2, 0.02];
 fn outlines_enclose_what_a_raster_covers() {
     let (views, side) = if is_thorough() { (30, 8192) } else { (1, 512) };
     let built_in = ["torus:48,24", "gear", "knot"].map(|name| (name, Some(builtin(name))));
-    for (name, mesh) in built_in.into_iter().chain(MODELS.map(|name| (name, model(name)))) {
+    for (name, mesh) in
+        built_in.into_iter().chain(MODELS.map(|name| (name, real_mesh("outlines_enclose_what_a_raster_covers", name))))
+    {
         let Some(mesh) = mesh else { continue };
-        let scene = LineScene::new(Arc::new(PreparedMesh::new(mesh.clone())));
+        let scene = LineScene::new(prepared(mesh.clone()));
         let mut finder = LineFinder::for_many_views(scene, &NoProgress).unwrap();
         let mut worst = 0.0_f64;
-        for (index, direction) in directions(views).enumerate() {
+        for (index, direction) in spread(views).enumerate() {
             for (zoom, times) in ZOOMS.into_iter().enumerate() {
                 let camera = zoomed_out(&framing(&mesh, direction, (index + zoom) % 2 == 0), times, side);
                 let outline = finder.outline(&camera, &NoProgress).unwrap();
@@ -150,8 +154,7 @@ fn the_raster_of_another_view_is_seen_to_differ() {
     let mesh = builtin("gear");
     let at = |direction| zoomed_out(&framing(&mesh, direction, true), 1.0, 512);
     let (one, other) = (at(DVec2::ONE.extend(0.3)), at(DVec2::ONE.extend(0.35)));
-    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh.clone()))), &NoProgress).unwrap();
-    let outline = finder.outline(&one, &NoProgress).unwrap();
+    let outline = finder(mesh.clone()).outline(&one, &NoProgress).unwrap();
     let [of_faces, of_rings] = rasters(&mesh, &other, &outline.rings);
     let [covered, differ] = of_faces.compare(&of_rings);
     assert!(covered > 10_000 && differ * 1000 > covered, "{differ} of {covered}");

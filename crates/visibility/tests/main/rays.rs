@@ -1,9 +1,11 @@
 //! Every decision about a point of a line against a sight line cast by brute force.
 
 use crate::oracle::{Oracle, nearest_step};
-use crate::scenes::{all_lines, builtin, directions, framing, model};
+use crate::scenes::{all_lines, framing};
 use silhouette_core::glam::DVec3;
 use silhouette_core::{Camera, Projection, Topology, TriangleMesh, VertexId};
+use silhouette_testing::directions::{AXES, spread};
+use silhouette_testing::{builtin, real_mesh};
 use silhouette_visibility::{LineOptions, Lines, SegmentSource};
 
 /// Share of the picture that a decision keeps from the nearest end of its piece.
@@ -74,7 +76,7 @@ pub fn compare(mesh: &TriangleMesh, lines: &Lines, wanted: usize) -> Tally {
 
 fn check(name: &str, mesh: &TriangleMesh, views: usize, wanted: usize, options: &LineOptions) {
     let mut sum = Tally::default();
-    for (index, direction) in directions(views).enumerate() {
+    for (index, direction) in spread(views).enumerate() {
         let camera = framing(mesh, direction, index % 3 != 2);
         let tally = compare(mesh, &all_lines(mesh, &camera, options), wanted);
         assert_eq!(tally.wrong, 0, "{name} from {direction}: {tally:?}");
@@ -140,7 +142,7 @@ pub fn is_thorough() -> bool {
 fn real_models_agree_with_brute_force() {
     let (views, wanted) = if is_thorough() { (10, 10_000) } else { (2, 150) };
     for name in MODELS {
-        if let Some(mesh) = model(name) {
+        if let Some(mesh) = real_mesh("real_models_agree_with_brute_force", name) {
             check(name, &mesh, views, wanted, &LineOptions::default());
         }
     }
@@ -151,9 +153,9 @@ fn real_models_agree_with_brute_force() {
 fn real_models_along_axes_agree_with_brute_force() {
     let wanted = if is_thorough() { 4000 } else { 60 };
     for name in MODELS {
-        let Some(mesh) = model(name) else { continue };
+        let Some(mesh) = real_mesh("real_models_along_axes_agree_with_brute_force", name) else { continue };
         let mut sum = Tally::default();
-        for direction in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z] {
+        for direction in AXES {
             for perspective in if is_thorough() { &[false, true][..] } else { &[false][..] } {
                 let camera = framing(&mesh, direction, *perspective);
                 let tally = compare(&mesh, &all_lines(&mesh, &camera, &LineOptions::default()), wanted);

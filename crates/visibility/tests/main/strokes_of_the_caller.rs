@@ -1,16 +1,14 @@
 //! Lines that are no mesh edges: intersections and smooth curves; several objects; labels; the cache.
 
-use crate::scenes::{builtin, framing};
+use crate::scenes::{finder, framing};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::Projection;
-use silhouette_core::{Camera, FaceId, NoProgress, PreparedMesh, TriangleMesh};
+use silhouette_core::{Camera, FaceId, NoProgress, TriangleMesh};
+use silhouette_testing::builtin;
+use silhouette_testing::edits::moved;
+use silhouette_testing::prepare::prepared;
 use silhouette_visibility::{CurvePiece, LineCache, LineFinder, LineKind, LineOptions, LineScene, Lines, SceneError};
 use std::sync::Arc;
-
-fn moved(mesh: &TriangleMesh, by: Vec3) -> TriangleMesh {
-    let positions = mesh.positions().iter().map(|&position| position + by).collect();
-    TriangleMesh::new(positions, mesh.triangles().to_vec()).unwrap()
-}
 
 fn find(scene: LineScene, direction: DVec3, options: &LineOptions) -> Lines {
     let camera = framing(scene.mesh().mesh(), direction, true);
@@ -84,7 +82,7 @@ fn ring() -> Vec<CurvePiece> {
 #[test]
 fn a_ring_around_a_ball_is_hidden_behind_it() {
     let ball = builtin("icosphere:4");
-    let scene = LineScene::new(Arc::new(PreparedMesh::new(ball.clone()))).with_curves(ring()).unwrap();
+    let scene = LineScene::new(prepared(ball)).with_curves(ring()).unwrap();
     let options = LineOptions { max_invisibility: u32::MAX, ..LineOptions::default() };
     // From 20 degrees above the ring's plane.
     let (sin, cos) = 20_f64.to_radians().sin_cos();
@@ -120,7 +118,7 @@ fn a_ring_around_a_ball_is_hidden_behind_it() {
 fn faces_that_a_curve_lies_on_do_not_hide_it() {
     let square =
         TriangleMesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE.with_z(0.0)], vec![[0, 1, 2], [2, 1, 3]]);
-    let mesh = Arc::new(PreparedMesh::new(square.unwrap()));
+    let mesh = prepared(square.unwrap());
     let at = |x: f32| Vec3::new(x, 0.5, -0.001);
     let hidden_length = |on_faces: Vec<FaceId>| {
         let piece = CurvePiece { control: [at(0.1), at(0.3), at(0.6), at(0.9)], on_faces, object: 0 };
@@ -136,10 +134,10 @@ fn faces_that_a_curve_lies_on_do_not_hide_it() {
 }
 
 #[test]
-fn labels_draw_their_borders_and_must_fit() {
+fn lines_are_drawn_between_labels_which_must_fit() {
     let cube = builtin("icosphere:2");
     let labels = (0..cube.face_count() as u32).map(|face| u32::from(face < 100)).collect();
-    let mesh = Arc::new(PreparedMesh::new(cube));
+    let mesh = prepared(cube);
     let scene = LineScene::new(Arc::clone(&mesh)).with_labels(labels).unwrap();
     let options = LineOptions { max_invisibility: u32::MAX, ..LineOptions::default() };
     assert!(length(&find(scene, DVec3::ONE, &options), LineKind::Material, true) > 10.0);
@@ -151,9 +149,9 @@ fn labels_draw_their_borders_and_must_fit() {
 fn the_cache_finds_a_view_once() {
     let mesh = builtin("knot");
     let camera = framing(&mesh, DVec3::ONE, true);
-    let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh.clone()))), &NoProgress).unwrap();
+    let mut knot = finder(mesh.clone());
     let (mut cache, options) = (LineCache::new(2), LineOptions::default());
-    let mut find = |camera, options: &LineOptions| cache.find(&mut finder, camera, options, &NoProgress).unwrap();
+    let mut find = |camera, options: &LineOptions| cache.find(&mut knot, camera, options, &NoProgress).unwrap();
     let first = find(&camera, &options);
     assert!(Arc::ptr_eq(&first, &find(&camera, &options)));
     let hidden = LineOptions { max_invisibility: 1, ..options.clone() };
@@ -163,8 +161,7 @@ fn the_cache_finds_a_view_once() {
     find(&other, &hidden);
     find(&other, &options);
     assert!(!Arc::ptr_eq(&first, &find(&camera, &options)), "forgotten, found again");
-    let finder_of = |mesh| LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress).unwrap();
-    let (again, elsewhere) = (finder_of(mesh.clone()), finder_of(moved(&mesh, Vec3::X)));
-    assert_eq!(finder.scene().fingerprint(), again.scene().fingerprint());
-    assert_ne!(finder.scene().fingerprint(), elsewhere.scene().fingerprint());
+    let (again, elsewhere) = (finder(mesh.clone()), finder(moved(&mesh, Vec3::X)));
+    assert_eq!(knot.scene().fingerprint(), again.scene().fingerprint());
+    assert_ne!(knot.scene().fingerprint(), elsewhere.scene().fingerprint());
 }

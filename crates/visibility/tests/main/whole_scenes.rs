@@ -3,38 +3,7 @@
 
 use silhouette_core::glam::Vec3;
 use silhouette_core::{Camera, Projection, TriangleMesh};
-
-/// A small generator of random numbers (Steele, Lea and Flood 2014, `SplitMix64`).
-pub struct Random(u64);
-
-impl Random {
-    pub fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x9e37_79b9_7f4a_7c15)
-    }
-
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    pub fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound as u64) as usize
-    }
-
-    fn one_in(&mut self, times: usize) -> bool {
-        self.below(times) == 0
-    }
-
-    fn whole(&mut self, range: std::ops::Range<i32>) -> i32 {
-        range.start + self.below((range.end - range.start) as usize) as i32
-    }
-
-    fn point(&mut self, range: std::ops::Range<i32>) -> [i32; 3] {
-        [0; 3].map(|_| self.whole(range.clone()))
-    }
-}
+use silhouette_testing::Random;
 
 /// What a scene is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,7 +66,7 @@ impl Builder {
     }
 
     fn mesh(self) -> TriangleMesh {
-        let positions = self.positions.iter().map(|&point| Vec3::from(point.map(|c| c as f32))).collect();
+        let positions = self.positions.into_iter().map(|point| Vec3::from(point.map(|c| c as f32))).collect();
         TriangleMesh::new(positions, self.triangles).unwrap()
     }
 }
@@ -114,9 +83,9 @@ fn fill(family: Family, random: &mut Random, builder: &mut Builder) {
         Family::Closed => {
             for _ in 0..1 + random.below(3) {
                 if random.one_in(3) {
-                    builder.push_tetrahedron([0; 4].map(|_| random.point(0..5)));
+                    builder.push_tetrahedron([0; 4].map(|_| random.lattice_point(0..5)));
                 } else {
-                    let low = random.point(0..4);
+                    let low = random.lattice_point(0..4);
                     builder.push_box(low, [0, 1, 2].map(|axis| low[axis] + random.whole(1..4)));
                 }
             }
@@ -136,7 +105,7 @@ fn fill(family: Family, random: &mut Random, builder: &mut Builder) {
         }
         Family::Sheets => {
             for _ in 0..2 + random.below(4) {
-                let (low, axis) = (random.point(0..4), random.below(3));
+                let (low, axis) = (random.lattice_point(0..4), random.below(3));
                 let mut corners = [low; 4];
                 let sides = [random.whole(1..4), random.whole(1..4)];
                 for (corner, [one, other]) in [[0, 0], [1, 0], [1, 1], [0, 1]].into_iter().enumerate() {
@@ -151,14 +120,14 @@ fn fill(family: Family, random: &mut Random, builder: &mut Builder) {
             }
         }
         Family::Shared => {
-            let points: Vec<[i32; 3]> = (0..4 + random.below(8)).map(|_| random.point(0..5)).collect();
+            let points: Vec<[i32; 3]> = (0..4 + random.below(8)).map(|_| random.lattice_point(0..5)).collect();
             let triangles: Vec<[u32; 3]> =
                 (0..2 + random.below(12)).map(|_| [0; 3].map(|_| random.below(points.len()) as u32)).collect();
             builder.push(&points, &triangles);
         }
         Family::Apart => {
             for _ in 0..2 + random.below(10) {
-                let corners = [0; 3].map(|_| random.point(0..5));
+                let corners = [0; 3].map(|_| random.lattice_point(0..5));
                 builder.push(&corners, &[[0, 1, 2]]);
             }
         }
@@ -189,13 +158,13 @@ fn weld(builder: &mut Builder) {
     }
 }
 
-/// A camera that is as likely as not to see ties.
+/// A camera that sees ties about half the time.
 pub fn camera(mesh: &TriangleMesh, random: &mut Random) -> Option<Camera> {
     const DIRECTIONS: [[i32; 3]; 5] = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 1, 1]];
     let whole = |point: [i32; 3]| Vec3::from(point.map(|c| c as f32));
     if random.one_in(2) {
         let direction = if random.one_in(4) {
-            random.point(-3..4)
+            random.lattice_point(-3..4)
         } else {
             let shift = random.below(3);
             let direction = DIRECTIONS[random.below(5)];
@@ -215,9 +184,9 @@ pub fn camera(mesh: &TriangleMesh, random: &mut Random) -> Option<Camera> {
                 + (corners[1] - corners[0]) * random.whole(-2..4) as f32
                 + (corners[2] - corners[0]) * random.whole(-2..4) as f32 * 0.5
         }
-        _ => whole(random.point(-4..9)),
+        _ => whole(random.lattice_point(-4..9)),
     };
-    let (eye, target) = (place(random), whole(random.point(0..5)));
+    let (eye, target) = (place(random), whole(random.lattice_point(0..5)));
     let projection = Projection::Perspective { fov_y_rad: 1.4 };
     Camera::new(eye, target, (target - eye).any_orthogonal_vector(), projection, [512, 512]).ok()
 }

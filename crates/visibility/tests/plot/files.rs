@@ -4,6 +4,7 @@ use crate::scene::{Drawn, any_lines, drawn, lines, lines_of, orthographic, persp
 use proptest::prelude::*;
 use silhouette_core::glam::DVec2;
 use silhouette_core::{NoProgress, VertexId};
+use silhouette_testing::with_threads;
 use silhouette_visibility::plot::{
     Dash, Drawing, Fit, GltfContainer, Hidden, Length, Page, PlotOptions, Sheet, Unit, placement, plot, write_gltf,
     write_json,
@@ -219,8 +220,7 @@ proptest! {
                 prop_assert!(point.min_element() >= 10.0 - 1e-9 && point.x <= width - 10.0 + 1e-9 && point.y <= height - 10.0 + 1e-9);
             }
         }
-        let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-        let again = one_thread.install(|| plot(&found, &options, &NoProgress).unwrap());
+        let again = with_threads(1, || plot(&found, &options, &NoProgress).unwrap());
         prop_assert_eq!(svg(&again), text);
         for container in [GltfContainer::Text, GltfContainer::Binary] {
             gltf(&found, &options, container);

@@ -1,9 +1,10 @@
 //! Merging and ordering, measured by other means than their own.
 
-use crate::scene::{drawn, lines_of, orthographic};
+use crate::scene::{SIDE, drawn, lines_of, orthographic};
 use proptest::prelude::*;
 use silhouette_core::NoProgress;
 use silhouette_core::glam::DVec2;
+use silhouette_testing::Random;
 use silhouette_visibility::LineKind;
 use silhouette_visibility::plot::{Drawing, Length, PlotOptions, Unit, plot};
 
@@ -33,7 +34,7 @@ fn distance_to_segment(point: DVec2, from: DVec2, to: DVec2) -> f64 {
     point.distance(from + way * share)
 }
 
-/// Whether the points can be told off in order to segments, each within the tolerance of its own.
+/// Whether the points can be assigned to segments in order, each within the tolerance of its segment.
 fn follows(points: &[DVec2], merged: &[DVec2], tolerance: f64) -> bool {
     let mut segment = 0;
     points.iter().all(|&point| {
@@ -133,15 +134,11 @@ fn closed_paths_begin_where_the_pen_is() {
 /// The shortest tour of small sets, by trying all.
 #[test]
 fn small_tours_are_close_to_the_best() {
-    let mut state = 1_u32;
-    let mut random = || {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        f64::from(state >> 8) / f64::from(1 << 24) * 100.0
-    };
+    let mut random = Random::new(1);
+    let mut point = || DVec2::new(random.unit(), random.unit()) * SIDE;
     let (mut found, mut best) = (0.0, 0.0);
     for _ in 0..40 {
-        let paths: Vec<[DVec2; 2]> =
-            (0..6).map(|_| [DVec2::new(random(), random()), DVec2::new(random(), random())]).collect();
+        let paths: Vec<[DVec2; 2]> = (0..6).map(|_| [point(), point()]).collect();
         let strokes: Vec<_> = paths.iter().map(|ends| (ends.map(|end| end.to_array()).to_vec(), false)).collect();
         found += plotted(&strokes, 0.0, true).stats.travel.after;
         best += shortest(&paths, None, 0);

@@ -3,7 +3,8 @@
 use crate::scene::{any_lines, drawn, lines_of, orthographic, perspective};
 use proptest::prelude::*;
 use silhouette_core::glam::DVec2;
-use silhouette_core::{Cancelled, NoProgress, Progress};
+use silhouette_core::{Cancelled, NoProgress};
+use silhouette_testing::Cancelling;
 use silhouette_visibility::plot::{
     Dash, Drawing, Fit, Hidden, LayerName, Length, Page, PlotError, PlotOptions, Sheet, Unit, plot,
 };
@@ -181,15 +182,8 @@ fn options_that_cannot_be_honoured_are_refused() {
 
 #[test]
 fn plotting_stops_on_demand() {
-    struct Stop;
-    impl Progress for Stop {
-        fn stage(&self, _: &str, _: u64) {}
-        fn advance(&self, _: u64) {}
-        fn is_cancelled(&self) -> bool {
-            true
-        }
-    }
-    assert_eq!(plot(&lines_of(perspective(), &[]), &plain(), &Stop), Err(PlotError::Cancelled(Cancelled)));
+    let stopped = plot(&lines_of(perspective(), &[]), &plain(), &Cancelling::at_once());
+    assert_eq!(stopped, Err(PlotError::Cancelled(Cancelled)));
 }
 
 /// Unit segments of the viewport's grid that the layers cover, each as often as it is drawn.
