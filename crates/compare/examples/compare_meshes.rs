@@ -1,7 +1,7 @@
 //! Compares every method on the meshes named and writes the report:
 //! `cargo run --release --example compare_meshes -- bunny.obj armadillo.obj report`.
 
-use silhouette_compare::{CompareConfig, NamedMesh, Profile, report, run};
+use silhouette_compare::{CompareConfig, NamedMesh, Profile, Registry, report, run};
 use silhouette_core::{NoProgress, PreparedMesh, load};
 use silhouette_render::{AdapterChoice, Gpu};
 use std::error::Error;
@@ -19,7 +19,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         meshes.push(NamedMesh { name: path.clone(), mesh: Arc::new(PreparedMesh::new(mesh)) }.into());
     }
     let gpu = Gpu::new(AdapterChoice::from_env()?)?;
-    let comparison = run(&CompareConfig::new(Profile::Quick.scene())?, &meshes, &gpu, &NoProgress)?;
+    let comparison =
+        run(&CompareConfig::new(Profile::Quick.scene(), &Registry::builtin())?, &meshes, &gpu, &NoProgress)?;
     report::write(&comparison, Path::new(directory))?;
     Ok(())
 }

@@ -10,7 +10,8 @@ use crate::stretches::Stretches;
 use silhouette_compare::truth::SPACING_PX;
 use silhouette_core::glam::DVec2;
 use silhouette_core::{Topology, TriangleMesh};
-use silhouette_render::{ReferenceDepth, ScreenSegment};
+use silhouette_gpu::ScreenSegment;
+use silhouette_render::ReferenceDepth;
 use silhouette_visibility::{Chain, Lines, SegmentSource};
 
 /// A hidden line that is called visible this close to a line that is visible hardly shows in a picture.
@@ -69,7 +70,7 @@ fn along(
     mesh: &TriangleMesh,
     topology: &Topology,
 ) -> Disagreement {
-    let scale = f64::from(depth.view().tile.scale);
+    let scale = f64::from(depth.samples_per_side());
     let is_visible = chain.style.invisibility == 0;
     let mut seen = Disagreement::default();
     for (segment, source) in chain.sources.iter().enumerate() {
@@ -126,7 +127,7 @@ mod tests {
     fn a_depth_buffer_errs_beside_what_is_visible_and_a_missing_one_wherever_lines_are_hidden() {
         let test = "a_depth_buffer_errs_beside_what_is_visible_and_a_missing_one_wherever_lines_are_hidden";
         let Some(gpu) = gpu_or_skip(test) else { return };
-        let renderer = ReferenceRenderer::new(gpu).unwrap();
+        let mut renderer = ReferenceRenderer::new(gpu).unwrap();
         for shape in ["torus", "knot", "gear"] {
             let mesh = Arc::new(PreparedMesh::new(shapes::by_name(shape).unwrap()));
             let bounds = mesh.mesh().bounds().unwrap();
@@ -136,17 +137,17 @@ mod tests {
             let mut finder = LineFinder::new(LineScene::new(Arc::clone(&mesh)), &NoProgress).unwrap();
             let lines = finder.find(&camera, &options, &NoProgress).unwrap();
             let topology = Topology::new(mesh.mesh());
-            let against = |buffers: &MeshBuffers, n| {
+            let mut against = |buffers: &Arc<MeshBuffers>, n| {
                 let depth = renderer.depth(gpu, buffers, &camera, n).unwrap();
                 disagreement(&lines, &depth, mesh.mesh(), &topology)
             };
-            let buffers = MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh()).unwrap();
+            let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh()).unwrap());
             let [fine, coarse] = [DEFAULT_SUPERSAMPLING, 1].map(|n| against(&buffers, n));
             assert!(fine.share() < coarse.share(), "{shape}: {fine:?}, {coarse:?}");
             let [wrongly_hidden, far_off] = [fine.wrongly_hidden_px, fine.far_off_px].map(|px| px / fine.visible_px);
             assert!(wrongly_hidden < 0.005 && far_off < 0.005, "{shape}: {fine:?}");
             let nothing = TriangleMesh::new(Vec::new(), Vec::new()).unwrap();
-            let missing = against(&MeshBuffers::new(gpu.device(), gpu.queue(), &nothing).unwrap(), 1);
+            let missing = against(&Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), &nothing).unwrap()), 1);
             let hidden = missing.length_px - missing.visible_px;
             assert!(hidden > 0.05 * missing.length_px, "{shape}: {missing:?}");
             // Lines are clipped alike up to rounding at the picture's border.

@@ -80,8 +80,8 @@ fn look(gpu: &Gpu, mesh: &Arc<PreparedMesh>, views: &[Camera]) -> Result<Seen, B
     let topology = mesh.artefact::<Topology>("visible lines", &NoProgress)?;
     let mut truth = TruthFinder::new(mesh, &NoProgress)?;
     let mut quick = QuickLineFinder::new(LineScene::new(Arc::clone(mesh)), &NoProgress)?;
-    let buffers = MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?;
-    let (reference, mut id_pass) = (ReferenceRenderer::new(gpu)?, FaceIdPass::new(gpu)?);
+    let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh())?);
+    let (mut reference, mut id_pass) = (ReferenceRenderer::new(gpu)?, FaceIdPass::new(gpu)?);
     let every = LineOptions { max_invisibility: u32::MAX, ..silhouette_options() };
     let mut seen = Seen::default();
     // The first view warms up caches and pipelines.

@@ -306,7 +306,7 @@ mod tests {
             assert!(page.contains(metric.title), "{}", metric.name);
         }
         for entry in &comparison.methods {
-            assert!(page.contains(entry.info.source.title), "{}", entry.info.name);
+            assert!(page.contains(entry.info().source.title), "{}", entry.info().name);
         }
     }
 

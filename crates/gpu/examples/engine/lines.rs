@@ -11,7 +11,8 @@ use silhouette_gpu::{
     DrawsLines, EdgeRenderer, FrameRenderer, Interior, MeshBuffers, Pen, PenPlacement, StrokePipelines, StrokeRenderer,
     StrokeStyle, TargetFormats,
 };
-use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions, InteriorWord};
+use silhouette_image_precision::options::InteriorChoice;
+use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions};
 use std::error::Error;
 use std::sync::Arc;
 
@@ -53,7 +54,7 @@ impl Lines {
         let prepared = Arc::new(PreparedMesh::new(Arc::clone(&knot.mesh)));
         let options = ImagePrecisionOptions {
             width: WIDTH_PX,
-            interior: if alone { InteriorWord::DepthOnly } else { InteriorWord::None },
+            interior: if alone { InteriorChoice::DepthOnly } else { InteriorChoice::None },
             ..ImagePrecisionOptions::default()
         };
         let method = ImagePrecision::new(&prepared, options)?;

@@ -11,13 +11,19 @@ use silhouette_gpu::{DepthScale, FrameView, Projector, SceneDepth, ScreenSegment
 pub struct ReferenceDepth {
     image: DepthImage,
     view: FrameView,
+    samples_per_side: u32,
     scale: DepthScale,
 }
 
 impl ReferenceDepth {
-    /// Values that were drawn for `view`, whose viewport is the image.
-    pub(super) fn new(image: DepthImage, view: FrameView) -> Self {
-        Self { image, view, scale: DepthScale::new(&view, DEFAULT_FORMATS.depth) }
+    /// Values that were drawn for `view`, whose viewport is the image, at this many samples along each side of a pixel.
+    pub(super) fn new(image: DepthImage, view: FrameView, samples_per_side: u32) -> Self {
+        Self { image, view, samples_per_side, scale: DepthScale::new(&view, DEFAULT_FORMATS.depth) }
+    }
+
+    /// Samples along each side of a pixel of the camera.
+    pub fn samples_per_side(&self) -> u32 {
+        self.samples_per_side
     }
 
     /// The values: reversed 32-bit depth, 0 where nothing was drawn.

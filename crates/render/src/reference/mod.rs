@@ -150,7 +150,7 @@ impl ReferenceRenderer {
             let tile = target.read_depth(gpu)?;
             placed.copy_rows(&mut values, width, n, 1, &tile.values, tile.width);
         }
-        Ok(ReferenceDepth::new(DepthImage { width, height, values }, whole.tile([0; 2], size, n)?))
+        Ok(ReferenceDepth::new(DepthImage { width, height, values }, whole.tile([0; 2], size, n)?, n))
     }
 
     /// The pipelines of a fill, those of the last image where the style is the same.

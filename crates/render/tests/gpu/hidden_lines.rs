@@ -2,7 +2,7 @@
 
 use crate::scenes::{
     DEPTH_FORMATS, DIRECTIONS, PERSPECTIVE, difference, draw_direct, draw_on_paper, fill, framed, ink, silhouette,
-    strokes, upload, view_for,
+    strokes, upload,
 };
 use glam::{DVec3, Vec3};
 use silhouette_core::mesh::TriangleMesh;

@@ -100,4 +100,3 @@ pub fn real_mesh(test: &str, name: &str) -> Option<Scene> {
 }
 
 // Tests that look for one mesh among the real ones skip with it.
-pub use silhouette_testing::skipped;
