@@ -10,7 +10,7 @@ fn run(arguments: &[&str]) -> Output {
 
 #[test]
 fn the_method_extracts_and_is_known_by_name() {
-    let output = run(&["extract", "builtin:sphere", "--method", "single-precision"]);
+    let output = run(&["extract", "builtin:icosphere:3", "--method", "single-precision"]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("\"method\":\"single-precision\"") && text.contains("\"edges\":[["), "{text}");
     let unknown = Command::new(env!("CARGO_BIN_EXE_own-method"))
