@@ -114,7 +114,7 @@ fn of_mesh(mesh: &MeshResult) -> Table {
     let MeshResult { name, faces, concave_edges, boundary_edges, half_edges, loops, variants } = mesh;
     let model = model_of(*faces);
     let by_model =
-        model.map_or_else(String::new, |model| format!("by its number of faces, the paper's {}; ", model.name));
+        model.map_or_else(String::new, |model| format!("The paper's {}, by its number of faces; ", model.name));
     let baseline_us = variants.first().map_or(f64::NAN, |brute_force| brute_force.median_us);
     Table {
         name: TABLE,
