@@ -9,7 +9,8 @@ use silhouette_core::shapes::{Cuboid, Sphere};
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
 use silhouette_gpu::{DrawsLines, LineRenderer, RendererError, TargetFormats};
 use silhouette_image_precision::{ImagePrecision, ImagePrecisionOptions};
-use silhouette_render::{DEFAULT_FORMATS, Gpu, testing::gpu_or_skip};
+use silhouette_render::{DEFAULT_FORMATS, Gpu};
+use silhouette_testing::gpu_or_skip;
 use std::sync::Arc;
 use wgpu::TextureFormat::{Depth16Unorm, Depth24Plus, Depth32Float};
 

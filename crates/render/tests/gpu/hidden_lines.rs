@@ -8,11 +8,11 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::{Cuboid, Sphere, Torus};
 use silhouette_core::view::{Camera, Framing, Projection};
 use silhouette_gpu::{Pen, PenPlacement, TargetFormats};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{
     Cap, DEFAULT_FORMATS, DepthScale, FillPass, FillStyle, Hidden, LinePass, LineStyle, Load, PassView, Polylines,
     ReferenceRenderer, SceneDepth, Target,
 };
+use silhouette_testing::gpu_or_skip;
 
 fn pen(width_px: f64) -> LineStyle {
     LineStyle { pen: Pen { width_px, placement: PenPlacement::Centred }, ..LineStyle::default() }

@@ -5,11 +5,11 @@ use glam::{DVec3, Vec3};
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Framing, Projection};
 use silhouette_gpu::{Pen, PenPlacement};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{
     DEFAULT_FORMATS, FillPass, FillStyle, GpuError, LinePass, LineStyle, Load, PassView, ReferenceRenderer, Scene,
     Shade, Target, Tile,
 };
+use silhouette_testing::gpu_or_skip;
 
 #[test]
 fn tiles_are_invisible() {

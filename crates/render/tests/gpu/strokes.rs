@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use silhouette_core::shapes::Cuboid;
 use silhouette_core::view::Camera;
 use silhouette_gpu::{Pen, PenPlacement};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{Cap, FillStyle, Gpu, Hidden, Image, Join, LineStyle, Polylines, ReferenceRenderer, Scene};
+use silhouette_testing::gpu_or_skip;
 
 fn draw(gpu: &Gpu, camera: Camera, lines: &[(Vec<DVec3>, bool)], style: LineStyle) -> Image {
     let mut polylines = Polylines::new();

@@ -8,10 +8,10 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_gpu::{MeshBuffers, TargetFormats};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{
     Cull, DEFAULT_FORMATS, FillPass, FillStyle, Gpu, Image, LineStyle, Load, PassView, Polylines, Shade, Target,
 };
+use silhouette_testing::gpu_or_skip;
 
 const BLACK: FillStyle = FillStyle { shade: Shade::Flat([0.0, 0.0, 0.0, 1.0]), cull: Cull::None };
 
