@@ -6,54 +6,35 @@
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
-use silhouette_core::method::{Method, NoOptions};
-use silhouette_core::shapes::by_name;
-use silhouette_core::{
-    ExtractsEdges, FaceFacings, NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint, load,
-};
+use silhouette_core::view::ViewPreset;
+use silhouette_core::{ExtractsEdges, FaceFacings, SilhouetteEdges, Topology, TriangleMesh, load};
 use silhouette_extraction::BruteForce;
+use silhouette_testing::prepare::{artefact, method, prepared};
+use silhouette_testing::views::seen_from;
+use silhouette_testing::{builtin, real_meshes};
 use std::hint::black_box;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
 /// Built-in shapes from a few to a million faces.
 const BUILTINS: [&str; 4] = ["gear", "torus:128,64", "blob:70000", "blob:1100000"];
 
-fn model_files() -> Vec<PathBuf> {
-    let Some(folder) = std::env::var_os("SILHOUETTES_MODELS") else { return Vec::new() };
-    let entries = PathBuf::from(folder).read_dir().expect("SILHOUETTES_MODELS names a readable folder");
-    let mut files: Vec<_> = entries.map(|entry| entry.expect("the folder can be read").path()).collect();
-    files.retain(|file| load::Format::of(file).is_some());
-    files.sort();
-    files
-}
-
-fn name_of(file: &std::path::Path) -> String {
-    file.file_name().expect("a file has a name").to_string_lossy().into_owned()
-}
-
-fn meshes() -> Vec<(String, TriangleMesh)> {
-    let builtin = BUILTINS.map(|name| (name.to_owned(), by_name(name).expect("the table holds valid names")));
-    let real = model_files().into_iter().map(|file| {
-        let mesh = load::load(&file).expect("the folder holds valid meshes");
-        (name_of(&file), mesh)
-    });
-    builtin.into_iter().chain(real).collect()
+fn meshes() -> impl Iterator<Item = (String, TriangleMesh)> {
+    BUILTINS.into_iter().map(|name| (name.to_owned(), builtin(name))).chain(real_meshes("real meshes"))
 }
 
 fn loading(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("load");
-    for file in model_files() {
+    for file in real_meshes::paths("loading") {
         let faces = load::load(&file).expect("the folder holds valid meshes").face_count();
         assert!(faces > 0);
         group.throughput(Throughput::Elements(faces as u64));
-        group.bench_function(name_of(&file), |bencher| bencher.iter(|| load::load(black_box(&file))));
+        group.bench_function(real_meshes::file_name(&file), |bencher| bencher.iter(|| load::load(black_box(&file))));
     }
     group.finish();
 }
 
-/// Sorted vertex pairs of all half-edges, as one integer each: what a topology has to sort at least.
+/// Sorted vertex pairs of all half-edges, as one integer each: the least that a topology has to sort.
 fn edge_keys(mesh: &TriangleMesh) -> Vec<u64> {
     let pair = |a: u32, b: u32| u64::from(a.min(b)) << 32 | u64::from(a.max(b));
     mesh.triangles().iter().flat_map(|&[a, b, c]| [pair(a, b), pair(b, c), pair(c, a)]).collect()
@@ -82,11 +63,12 @@ fn extraction(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("extract");
     for (name, mesh) in meshes() {
         let bounds = mesh.bounds().expect("the mesh has faces");
-        let eye = (bounds.center + silhouette_core::glam::DVec3::new(0.55, 0.35, 1.0) * 3.0 * bounds.radius).as_vec3();
-        let viewpoint = Viewpoint::Perspective { eye: eye + Vec3::splat(1e-3) };
-        let prepared = Arc::new(PreparedMesh::new(mesh));
-        let mut method = BruteForce::new(&prepared, NoOptions).expect("nothing cancels and there are no options");
-        let topology = prepared.artefact::<Topology>("bench", &NoProgress).expect("nothing cancels");
+        let (direction, _) = ViewPreset::ThreeQuarter.directions();
+        let eye = (bounds.center + direction * 3.0 * bounds.radius).as_vec3();
+        let viewpoint = seen_from(eye + Vec3::splat(1e-3));
+        let prepared = prepared(mesh);
+        let mut method: BruteForce = method(&prepared);
+        let topology: Arc<Topology> = artefact(&prepared);
         let mut edges = SilhouetteEdges::default();
         method.extract_edges(&viewpoint, &mut edges);
         assert_eq!(edges, SilhouetteEdges::of(&topology, &FaceFacings::new(prepared.mesh(), &viewpoint)));

@@ -1,12 +1,15 @@
 //! The silhouette is the cut between front and back faces: what follows from that alone, for any view and even for random
 //! labels.
 
-use crate::zoo;
+use crate::seen::look;
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use silhouette_core::loops::{LoopWalker, start_vertex};
-use silhouette_core::{
-    FaceFacings, FaceId, HalfEdgeId, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
-};
+use silhouette_core::{FaceFacings, FaceId, HalfEdgeId, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh};
+use silhouette_testing::directions::spread;
+use silhouette_testing::edits::inside_out;
+use silhouette_testing::views::{seen_from, seen_from_radii};
+use silhouette_testing::{builtin, real_meshes, strategies, zoo};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Vertices of a half-edge: where it starts, where it ends.
@@ -60,21 +63,21 @@ fn euler_characteristic(mesh: &TriangleMesh, faces: impl Iterator<Item = usize>)
 
 proptest! {
     #[test]
-    fn every_vertex_of_a_closed_mesh_has_even_degree(mesh in zoo::closed_mesh(), viewpoint in zoo::viewpoint()) {
-        let seen = zoo::look(&mesh, &viewpoint);
+    fn every_vertex_of_a_closed_mesh_has_even_degree(mesh in strategies::closed_mesh(), viewpoint in strategies::viewpoint()) {
+        let seen = look(&mesh, &viewpoint);
         prop_assert!(degrees(&seen.topology, &seen.edges).values().all(|degree| degree % 2 == 0));
         check_loops(&mesh, &seen.topology, &seen.facings, true);
     }
 
     #[test]
-    fn boundary_edges_keep_the_degrees_of_open_meshes_even(mesh in zoo::open_mesh(), viewpoint in zoo::viewpoint()) {
-        let seen = zoo::look(&mesh, &viewpoint);
+    fn boundary_edges_keep_the_degrees_of_open_meshes_even(mesh in strategies::open_mesh(), viewpoint in strategies::viewpoint()) {
+        let seen = look(&mesh, &viewpoint);
         prop_assert!(degrees(&seen.topology, &seen.edges).values().all(|degree| degree % 2 == 0));
         check_loops(&mesh, &seen.topology, &seen.facings, true);
     }
 
     #[test]
-    fn random_labels_make_loops_too(mesh in zoo::open_mesh(), labels in any::<u128>()) {
+    fn random_labels_make_loops_too(mesh in strategies::open_mesh(), labels in any::<u128>()) {
         let facings = FaceFacings::from_fn(mesh.face_count(), |face| labels >> (face.get() % 128) & 1 == 1);
         check_loops(&mesh, &Topology::new(&mesh), &facings, true);
     }
@@ -82,15 +85,15 @@ proptest! {
     /// Any triangles over few vertices: non-manifold, inconsistently wound, duplicate and degenerate faces.
     #[test]
     fn any_soup_makes_loops(triangles in prop::collection::vec(prop::array::uniform3(0_u32..9), 0..30), labels in any::<u32>()) {
-        let positions = (0..9).map(|i| glam::Vec3::splat(i as f32)).collect();
+        let positions = (0..9).map(|i| Vec3::splat(i as f32)).collect();
         let mesh = TriangleMesh::new(positions, triangles).unwrap();
         let facings = FaceFacings::from_fn(mesh.face_count(), |face| labels >> (face.get() % 32) & 1 == 1);
         check_loops(&mesh, &Topology::new(&mesh), &facings, false);
     }
 
     #[test]
-    fn front_and_back_regions_share_the_silhouette(mesh in zoo::closed_mesh(), viewpoint in zoo::viewpoint()) {
-        let seen = zoo::look(&mesh, &viewpoint);
+    fn front_and_back_regions_share_the_silhouette(mesh in strategies::closed_mesh(), viewpoint in strategies::viewpoint()) {
+        let seen = look(&mesh, &viewpoint);
         let side = |front| {
             let facings = seen.facings.clone();
             let faces = (0..mesh.face_count()).filter(move |&face| facings.is_front(FaceId::from_usize(face)) == front);
@@ -101,24 +104,22 @@ proptest! {
     }
 
     #[test]
-    fn turning_the_mesh_inside_out_keeps_the_edges(mesh in zoo::closed_mesh(), viewpoint in zoo::viewpoint()) {
-        let flipped = mesh.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
-        let flipped = TriangleMesh::new(mesh.positions().to_vec(), flipped).unwrap();
-        let (seen, inside_out) = (zoo::look(&mesh, &viewpoint), zoo::look(&flipped, &viewpoint));
-        let ties = seen.facings.front_count() + inside_out.facings.front_count() != mesh.face_count();
+    fn turning_the_mesh_inside_out_keeps_the_edges(mesh in strategies::closed_mesh(), viewpoint in strategies::viewpoint()) {
+        let (seen, turned) = (look(&mesh, &viewpoint), look(&inside_out(&mesh), &viewpoint));
+        let ties = seen.facings.front_count() + turned.facings.front_count() != mesh.face_count();
         prop_assume!(!ties);
-        prop_assert_eq!(seen.edges, inside_out.edges);
+        prop_assert_eq!(seen.edges, turned.edges);
     }
 }
 
 #[test]
 fn a_convex_body_has_one_loop_from_outside_and_none_from_inside() {
     for name in ["cube", "icosphere:3", "uv-sphere", "ellipsoid", "cylinder", "cone"] {
-        let mesh = silhouette_core::shapes::by_name(name).unwrap();
-        for direction in zoo::directions(50) {
-            let outside = zoo::look(&mesh, &Viewpoint::Perspective { eye: direction * 7.3 });
+        let mesh = builtin(name);
+        for direction in spread(50).map(DVec3::as_vec3) {
+            let outside = look(&mesh, &seen_from(direction * 7.3));
             assert_eq!(outside.loops.len(), 1, "{name} from {direction}");
-            let inside = zoo::look(&mesh, &Viewpoint::Perspective { eye: direction * 0.05 });
+            let inside = look(&mesh, &seen_from(direction * 0.05));
             assert_eq!(inside.loops.len(), 0, "{name} from inside");
         }
     }
@@ -126,24 +127,21 @@ fn a_convex_body_has_one_loop_from_outside_and_none_from_inside() {
 
 #[test]
 fn one_triangle_is_outlined_from_the_front_only() {
-    let mesh = TriangleMesh::new(vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y], vec![[0, 1, 2]]).unwrap();
-    let from = |z| zoo::look(&mesh, &Viewpoint::Perspective { eye: glam::Vec3::new(0.2, 0.2, z) });
+    let mesh = TriangleMesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]).unwrap();
+    let from = |z| look(&mesh, &seen_from([0.2, 0.2, z]));
     assert_eq!((from(1.0).edges.len(), from(1.0).loops.len()), (3, 1));
     assert_eq!(from(1.0).edges.boundary(&from(1.0).topology).count(), 3);
     assert!(from(-1.0).edges.is_empty() && from(0.0).edges.is_empty());
-    let empty = TriangleMesh::new(vec![], vec![]).unwrap();
-    assert!(zoo::look(&empty, &Viewpoint::Perspective { eye: glam::Vec3::Z }).loops.is_empty());
+    assert!(look(&zoo::empty(), &seen_from(Vec3::Z)).loops.is_empty());
 }
 
 #[test]
 fn built_in_and_real_meshes_make_loops() {
-    let real = zoo::real_meshes("built_in_and_real_meshes_make_loops");
-    let builtin = zoo::builtins().into_iter().map(|(name, mesh)| (name.to_owned(), mesh));
-    for (_, mesh) in builtin.chain(real) {
-        let center = mesh.bounds().unwrap().center.as_vec3();
-        for direction in zoo::directions(3) {
-            let topology = Topology::new(&mesh);
-            let facings = FaceFacings::new(&mesh, &Viewpoint::Perspective { eye: center + direction * 3.0 });
+    let real = real_meshes("built_in_and_real_meshes_make_loops").map(|(_, mesh)| mesh);
+    for mesh in zoo::all().into_iter().map(|(_, mesh)| mesh).chain(real) {
+        let topology = Topology::new(&mesh);
+        for direction in spread(3) {
+            let facings = FaceFacings::new(&mesh, &seen_from_radii(&mesh, direction, 3.0));
             check_loops(&mesh, &topology, &facings, false);
         }
     }

@@ -1,17 +1,20 @@
-//! Every exact extractor against integers without limit: ten thousand random and a thousand adversarial viewpoints, tiny
+//! Every exact extractor against unbounded integers: ten thousand random and a thousand hard viewpoints, tiny
 //! to huge meshes, far from the origin.
 
-use crate::zoo::{self, Random};
+use crate::seen::look;
 use glam::Vec3;
 use num_bigint::{BigInt, Sign};
 use silhouette_compare::registry::Registry;
 use silhouette_core::method::{OptionValues, PrepareError};
-use silhouette_core::shapes::by_name;
-use silhouette_core::{ExtractsEdges, NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{ExtractsEdges, NoProgress, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
+use silhouette_testing::edits::mapped;
+use silhouette_testing::prepare::{artefact, prepared};
+use silhouette_testing::views::{hard_eye, seen_from};
+use silhouette_testing::{Random, builtin};
 use std::sync::Arc;
 
 const RANDOM_VIEWS: usize = 10_000;
-const ADVERSARIAL_VIEWS: usize = 1_000;
+const HARD_VIEWS: usize = 1_000;
 
 type Point = [BigInt; 3];
 
@@ -48,7 +51,7 @@ struct Case {
 
 impl Case {
     fn new(mesh: TriangleMesh) -> Self {
-        let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
+        let prepared = prepared(mesh.clone());
         let planes = mesh.triangles().iter().map(|triangle| {
             let [a, b, c] = triangle.map(|vertex| point(mesh.positions()[vertex as usize]));
             (cross(&sub(&b, &a), &sub(&c, &a)), a)
@@ -64,7 +67,7 @@ impl Case {
             }
         });
         let (planes, methods) = (planes.collect(), methods.collect());
-        Self { topology: prepared.artefact("exactness", &NoProgress).unwrap(), mesh, planes, methods }
+        Self { topology: artefact(&prepared), mesh, planes, methods }
     }
 
     /// The silhouette edges, by integers alone.
@@ -88,7 +91,7 @@ impl Case {
 
     /// Number of edges on which methods and integers differ, over both kinds of view towards `eye`.
     fn differing(&mut self, eye: Vec3) -> usize {
-        let views = [Viewpoint::Perspective { eye }, Viewpoint::Orthographic { toward_viewer: eye }];
+        let views = [seen_from(eye), Viewpoint::Orthographic { toward_viewer: eye }];
         views.iter().map(|viewpoint| self.differing_in(viewpoint)).sum()
     }
 
@@ -109,10 +112,9 @@ impl Case {
 fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
     for name in ["icosphere:2", "gear:5", "cube", "moebius:24,2", "blob:300"] {
-        let mesh = by_name(name).unwrap();
+        let mesh = builtin(name);
         for (scale, offset) in [(1.0, 0.0), (1e-9, 0.0), (1e9, 0.0), (1.0, 1e3), (1.0, 1e6)] {
-            let moved = mesh.positions().iter().map(|&p| p * scale + Vec3::new(offset, -offset, offset)).collect();
-            cases.push(Case::new(TriangleMesh::new(moved, mesh.triangles().to_vec()).unwrap()));
+            cases.push(Case::new(mapped(&mesh, |p| p * scale + Vec3::new(offset, -offset, offset))));
         }
     }
     cases
@@ -120,31 +122,27 @@ fn cases() -> Vec<Case> {
 
 #[test]
 fn random_viewpoints() {
-    let (mut cases, mut random) = (cases(), Random(1));
+    let (mut cases, mut random) = (cases(), Random::new(1));
     for view in 0..RANDOM_VIEWS {
         let count = cases.len();
         let case = &mut cases[view % count];
         let bounds = case.mesh.bounds().unwrap();
         let reach = [0.7, 1.5, 6.0, 1e4][view / count % 4] * bounds.radius as f32;
-        let eye = bounds.center.as_vec3() + random.vector() * reach;
+        let eye = bounds.center.as_vec3() + random.vector().as_vec3() * reach;
         assert_eq!(case.differing(eye), 0, "view {view}: eye {eye}");
     }
 }
 
 #[test]
-fn adversarial_viewpoints() {
-    let (mut cases, mut random) = (cases(), Random(1));
-    for view in 0..ADVERSARIAL_VIEWS {
+fn hard_viewpoints() {
+    let (mut cases, mut random) = (cases(), Random::new(1));
+    for view in 0..HARD_VIEWS {
         let count = cases.len();
         let case = &mut cases[view % count];
-        let triangle = case.mesh.triangles()[random.below(case.mesh.face_count())];
-        let [a, b, c] = triangle.map(|vertex| case.mesh.positions()[vertex as usize]);
+        let bounds = case.mesh.bounds().unwrap();
         let eye = match view / count % 5 {
-            0 => a,
-            1 => (a + b) * 0.5,
-            2 => a + (b - a) * (2.0 * random.signed()) + (c - a) * (2.0 * random.signed()),
-            3 => b + (c - a),
-            _ => case.mesh.bounds().unwrap().center.as_vec3() + random.vector() * (0.01 * a.length()),
+            0..=3 => hard_eye(&case.mesh, &mut random),
+            _ => (bounds.center + random.vector() * (0.01 * bounds.radius)).as_vec3(),
         };
         assert_eq!(case.differing(eye), 0, "view {view}: eye {eye}");
     }
@@ -152,13 +150,13 @@ fn adversarial_viewpoints() {
 
 /// The integers notice an eye moved by one bit across a face, so the tests above can fail.
 #[test]
-fn integers_tell_neighbouring_floats_apart() {
-    let mut case = Case::new(by_name("cube").unwrap());
+fn integers_distinguish_neighbouring_floats() {
+    let mut case = Case::new(builtin("cube"));
     let top = case.mesh.bounds().unwrap().max.y as f32;
     let eye = |y: f32| Vec3::new(0.1, y, 0.2);
     let above = f32::from_bits(top.to_bits() + 1);
     assert_eq!(case.differing(eye(top)) + case.differing(eye(above)), 0);
-    let edges = |y| case.expected(&Viewpoint::Perspective { eye: eye(y) });
+    let edges = |y| case.expected(&seen_from(eye(y)));
     assert_ne!(edges(top), edges(above));
-    assert_eq!(zoo::look(&case.mesh, &Viewpoint::Perspective { eye: eye(above) }).edges, edges(above));
+    assert_eq!(look(&case.mesh, &seen_from(eye(above))).edges, edges(above));
 }

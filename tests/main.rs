@@ -5,5 +5,5 @@ mod cut_sets;
 mod exactness;
 mod measures;
 mod oracle;
+mod seen;
 mod tidy;
-mod zoo;

@@ -1,20 +1,17 @@
 //! Areas, lengths and counts that a silhouette must have, by another route than the extraction's.
 
-use crate::zoo;
+use crate::seen::look;
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
-use silhouette_core::loops::start_vertex;
-use silhouette_core::shapes::{Sphere, by_name};
-use silhouette_core::{FaceId, HalfEdgeId, Topology, TriangleMesh, VertexId, Viewpoint};
+use silhouette_core::shapes::Sphere;
+use silhouette_core::{FaceId, Topology, TriangleMesh, Viewpoint};
+use silhouette_testing::builtin;
+use silhouette_testing::directions::spread;
+use silhouette_testing::edges::{edge_ends, half_edge_ends};
+use silhouette_testing::edits::mapped;
+use silhouette_testing::strategies::{closed_mesh, open_mesh, viewpoint};
+use silhouette_testing::views::seen_from;
 use std::f64::consts::PI;
-
-fn position(mesh: &TriangleMesh, vertex: VertexId) -> DVec3 {
-    mesh.positions()[vertex.index()].as_dvec3()
-}
-
-fn ends(mesh: &TriangleMesh, half_edge: HalfEdgeId) -> [DVec3; 2] {
-    [half_edge, half_edge.next_in_face()].map(|h| position(mesh, start_vertex(mesh, h)))
-}
 
 fn vector_area(mesh: &TriangleMesh, face: FaceId) -> DVec3 {
     let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
@@ -26,7 +23,7 @@ fn bends(mesh: &TriangleMesh) -> impl Iterator<Item = (f64, f64)> {
     let topology = Topology::new(mesh);
     topology.edges().ids().collect::<Vec<_>>().into_iter().map(move |edge| {
         let normals: Vec<_> = topology.faces(edge).map(|face| vector_area(mesh, face).normalize()).collect();
-        let [a, b] = topology.end_points(edge).map(|vertex| position(mesh, vertex));
+        let [a, b] = edge_ends(mesh, &topology, edge);
         (normals[0].angle_between(normals[1]), a.distance(b))
     })
 }
@@ -34,35 +31,35 @@ fn bends(mesh: &TriangleMesh) -> impl Iterator<Item = (f64, f64)> {
 proptest! {
     /// Stokes: the vector areas of the front faces add up to the loops' areas.
     #[test]
-    fn loops_enclose_the_front_vector_area(mesh in prop_oneof![zoo::closed_mesh(), zoo::open_mesh()], viewpoint in zoo::viewpoint()) {
-        let seen = zoo::look(&mesh, &viewpoint);
+    fn loops_enclose_the_front_vector_area(mesh in prop_oneof![closed_mesh(), open_mesh()], viewpoint in viewpoint()) {
+        let seen = look(&mesh, &viewpoint);
         let faces = (0..mesh.face_count()).map(FaceId::from_usize);
         let front: DVec3 = faces.filter(|&face| seen.facings.is_front(face)).map(|face| vector_area(&mesh, face)).sum();
-        let enclosed: DVec3 = seen.loops.half_edges().iter().map(|&h| { let [a, b] = ends(&mesh, h); a.cross(b) * 0.5 }).sum();
+        let enclosed: DVec3 = seen.loops.half_edges().iter().map(|&h| { let [a, b] = half_edge_ends(&mesh, h); a.cross(b) * 0.5 }).sum();
         prop_assert!(front.distance(enclosed) < 1e-10, "{} {}", front, enclosed);
     }
 
-    /// Scaling by a power of two is exact, so it may not change a single edge, down to subnormal products.
+    /// Scaling by a power of two is exact, so that it must not change a single edge, down to subnormal products.
     #[test]
-    fn scale_changes_nothing(mesh in zoo::closed_mesh(), viewpoint in zoo::viewpoint(), exponent in -110_i32..60) {
+    fn scale_changes_nothing(mesh in closed_mesh(), viewpoint in viewpoint(), exponent in -110_i32..60) {
         let scale = 2.0_f32.powi(exponent);
-        let scaled = TriangleMesh::new(mesh.positions().iter().map(|&p| p * scale).collect(), mesh.triangles().to_vec()).unwrap();
+        let scaled = mapped(&mesh, |p| p * scale);
         let scaled_view = match viewpoint {
             Viewpoint::Perspective { eye } => Viewpoint::Perspective { eye: eye * scale },
             Viewpoint::Orthographic { toward_viewer } => Viewpoint::Orthographic { toward_viewer: toward_viewer * scale },
         };
         // Coordinates that scaling itself rounds make another mesh.
         prop_assume!(scaled.positions().iter().zip(mesh.positions()).all(|(&s, &p)| s / scale == p));
-        prop_assert_eq!(zoo::look(&mesh, &viewpoint).edges, zoo::look(&scaled, &scaled_view).edges);
+        prop_assert_eq!(look(&mesh, &viewpoint).edges, look(&scaled, &scaled_view).edges);
     }
 }
 
 #[test]
 fn an_eye_infinitely_far_sees_the_orthographic_silhouette() {
-    let mesh = by_name("blob:20000").unwrap();
-    for direction in zoo::directions(20) {
-        let far = zoo::look(&mesh, &Viewpoint::Perspective { eye: direction * 1e9 });
-        let ortho = zoo::look(&mesh, &Viewpoint::Orthographic { toward_viewer: direction });
+    let mesh = builtin("blob:20000");
+    for direction in spread(20).map(DVec3::as_vec3) {
+        let far = look(&mesh, &seen_from(direction * 1e9));
+        let ortho = look(&mesh, &Viewpoint::Orthographic { toward_viewer: direction });
         let differing = far.edges.iter().filter(|&edge| !ortho.edges.contains(edge)).count();
         assert!(differing <= 2, "{differing} of {} edges from {direction}", ortho.edges.len());
     }
@@ -70,14 +67,14 @@ fn an_eye_infinitely_far_sees_the_orthographic_silhouette() {
 
 #[test]
 fn orthographic_averages_follow_from_the_bends() {
-    let mesh = by_name("blob:3000").unwrap();
+    let mesh = builtin("blob:3000");
     let (mut count, mut length, mut area) = (0.0, 0.0, 0.0);
     let views = 2000;
-    for direction in zoo::directions(views) {
-        let seen = zoo::look(&mesh, &Viewpoint::Orthographic { toward_viewer: direction });
+    for direction in spread(views).map(DVec3::as_vec3) {
+        let seen = look(&mesh, &Viewpoint::Orthographic { toward_viewer: direction });
         count += seen.edges.len() as f64;
         let lengths = seen.edges.iter().map(|edge| {
-            let [a, b] = seen.topology.end_points(edge).map(|vertex| position(&mesh, vertex));
+            let [a, b] = edge_ends(&mesh, &seen.topology, edge);
             a.distance(b)
         });
         length += lengths.sum::<f64>();
@@ -110,10 +107,10 @@ fn edge_silhouettes_of_a_sphere_stay_too_long() {
 /// count negatively.
 #[test]
 fn front_faces_have_negative_solid_angles() {
-    let mesh = by_name("gear").unwrap();
+    let mesh = builtin("gear");
     for (scale, total) in [(5.0, 0.0), (0.6, 4.0 * PI)] {
         let eye = Vec3::new(0.73, 0.011, 0.0) * scale;
-        let seen = zoo::look(&mesh, &Viewpoint::Perspective { eye });
+        let seen = look(&mesh, &seen_from(eye));
         let mut sum = 0.0;
         for face in (0..mesh.face_count()).map(FaceId::from_usize) {
             let [a, b, c] = mesh.corners(face).map(|p| (p.as_dvec3() - eye.as_dvec3()).normalize());

@@ -1,11 +1,13 @@
 //! Every extractor against a naive evaluation that shares no code with any: maps of vertex pairs, integer arithmetic.
 
-use crate::zoo;
 use glam::Vec3;
 use proptest::prelude::*;
 use silhouette_compare::registry::Registry;
 use silhouette_core::method::{OptionValues, PrepareError};
-use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh, VertexId, Viewpoint};
+use silhouette_core::{NoProgress, SilhouetteEdges, Topology, TriangleMesh, VertexId, Viewpoint};
+use silhouette_testing::prepare::{artefact, prepared};
+use silhouette_testing::views::seen_from;
+use silhouette_testing::zoo;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -37,8 +39,8 @@ fn naive(points: &[Integers], triangles: &[[u32; 3]], viewpoint: Integers, is_po
 fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
     let float = |p: [i32; 3]| Vec3::from(p.map(|c| c as f32));
     let mesh = TriangleMesh::new(points.iter().copied().map(float).collect(), triangles.to_vec()).unwrap();
-    let prepared = Arc::new(PreparedMesh::new(mesh));
-    let topology = prepared.artefact::<Topology>("oracle", &NoProgress).unwrap();
+    let prepared = prepared(mesh);
+    let topology: Arc<Topology> = artefact(&prepared);
     let integers: Vec<Integers> = points.iter().map(|p| p.map(i128::from)).collect();
     for entry in Registry::builtin().entries() {
         let info = entry.info();
@@ -51,7 +53,7 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
         let Some(mut method) = method else { continue };
         for is_point in [true, false] {
             let view = if is_point {
-                Viewpoint::Perspective { eye: float(viewpoint) }
+                seen_from(float(viewpoint))
             } else {
                 Viewpoint::Orthographic { toward_viewer: float(viewpoint) }
             };
@@ -96,7 +98,7 @@ proptest! {
 
 #[test]
 fn built_in_shapes_on_an_integer_lattice() {
-    for (_, mesh) in zoo::builtins() {
+    for (_, mesh) in zoo::all() {
         let points: Vec<_> =
             mesh.positions().iter().map(|p| (*p * 4000.0).round().to_array().map(|c| c as i32)).collect();
         for viewpoint in [[9000, 4000, 7000], [0, 0, 12_000], [100, 3, -50], [4000, 4000, 4000]] {

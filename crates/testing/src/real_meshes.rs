@@ -11,12 +11,14 @@ use std::path::{Path, PathBuf};
 /// The environment variable that names the folder.
 pub const FOLDER: &str = "SILHOUETTES_MODELS";
 
-/// The paths of all mesh files in the folder, sorted. If the variable is unset, none, and a line that says so.
+/// The paths of all mesh files in the folder, sorted. If the variable is unset, none, and a line that says so. A folder without
+/// a mesh is a mistake, and panics.
 pub fn paths(test: &str) -> Vec<PathBuf> {
     let Some(folder) = folder(test) else { return Vec::new() };
     let entries = folder.read_dir().unwrap_or_else(|error| panic!("{FOLDER}={}: {error}", folder.display()));
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| Format::of(path).is_some());
+    assert!(!paths.is_empty(), "{FOLDER}={}: no mesh in this folder", folder.display());
     paths.sort();
     paths
 }

@@ -1,34 +1,5 @@
-use silhouette_core::Progress;
 use silhouette_core::load::{Format, load_with_progress, read};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
-
-/// Cancels once so many steps are reported; keeps what it is told.
-struct Until {
-    steps: AtomicU64,
-    limit: u64,
-    stages: Mutex<Vec<(String, u64)>>,
-}
-
-impl Until {
-    fn new(limit: u64) -> Self {
-        Self { steps: AtomicU64::new(0), limit, stages: Mutex::new(Vec::new()) }
-    }
-}
-
-impl Progress for Until {
-    fn stage(&self, name: &str, total: u64) {
-        self.stages.lock().unwrap().push((name.to_owned(), total));
-    }
-
-    fn advance(&self, steps: u64) {
-        self.steps.fetch_add(steps, Ordering::Relaxed);
-    }
-
-    fn is_cancelled(&self) -> bool {
-        self.steps.load(Ordering::Relaxed) >= self.limit
-    }
-}
+use silhouette_testing::Cancelling;
 
 /// A million bytes or more of each format that is read row by row.
 fn large_files() -> [(Format, Vec<u8>); 4] {
@@ -48,30 +19,30 @@ fn large_files() -> [(Format, Vec<u8>); 4] {
 #[test]
 fn every_byte_is_reported() {
     for (format, bytes) in large_files() {
-        let progress = Until::new(u64::MAX);
+        let progress = Cancelling::at_step(u64::MAX);
         read(format, "large", &bytes, &progress).unwrap();
         let total = bytes.len() as u64;
-        assert_eq!(progress.steps.into_inner(), total, "{format}");
-        assert_eq!(progress.stages.into_inner().unwrap(), [("parsing".to_owned(), total)]);
+        assert_eq!(progress.steps(), total, "{format}");
+        assert_eq!(progress.stages(), [("parsing".to_owned(), total)]);
     }
 }
 
 #[test]
-fn parsing_stops_soon_after_it_is_told_to() {
+fn parsing_stops_soon_after_cancellation() {
     for (format, bytes) in large_files() {
-        let progress = Until::new(400_000);
+        let progress = Cancelling::at_step(400_000);
         let error = read(format, "large", &bytes, &progress).unwrap_err();
         assert!(error.is_cancelled(), "{error}");
-        assert!(progress.steps.into_inner() < 1_000_000, "{format}");
+        assert!(progress.steps() < 1_000_000, "{format}");
     }
 }
 
 #[test]
-fn loading_stops_before_parsing_when_told_while_reading() {
+fn loading_cancelled_while_reading_stops_before_parsing() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.obj");
     std::fs::write(&path, "v 0 0 0\nf 1 1 1\n").unwrap();
-    let progress = Until::new(1);
+    let progress = Cancelling::at_step(1);
     assert!(load_with_progress(&path, &progress).unwrap_err().is_cancelled());
-    assert_eq!(progress.stages.into_inner().unwrap(), [("reading".to_owned(), 16)]);
+    assert_eq!(progress.stages(), [("reading".to_owned(), 16)]);
 }

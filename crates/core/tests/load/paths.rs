@@ -3,7 +3,7 @@ use silhouette_core::load::{Format, Problem, load, read};
 use std::path::Path;
 
 #[test]
-fn formats_are_told_by_extension_in_any_case() {
+fn formats_follow_from_the_extension_in_any_case() {
     let of = |name: &str| Format::of(Path::new(name));
     for extension in Format::EXTENSIONS {
         assert!(of(&format!("a.b{extension}")).is_some(), "{extension}");

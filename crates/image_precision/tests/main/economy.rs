@@ -7,7 +7,8 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::by_name;
 use silhouette_core::view::{Framing, Projection};
 use silhouette_gpu::TargetFormats;
-use silhouette_render::{DEFAULT_FORMATS, Image, testing::gpu_or_skip};
+use silhouette_render::{DEFAULT_FORMATS, Image};
+use silhouette_testing::gpu_or_skip;
 
 /// Two tori through each other, a bumpy body, and a torus stretched so that its triangles are skewed.
 fn meshes() -> [TriangleMesh; 3] {
@@ -103,8 +104,8 @@ fn faces_too_small_for_a_normal_draw_nothing() {
 
 /// A sheet from behind: all of its faces are back faces, whose edges fill three quarters of the table.
 #[test]
-fn a_large_sheet_from_behind_shows_its_border_alone() {
-    let Some(gpu) = gpu_or_skip("a_large_sheet_from_behind_shows_its_border_alone") else { return };
+fn a_large_sheet_from_behind_shows_its_boundary_alone() {
+    let Some(gpu) = gpu_or_skip("a_large_sheet_from_behind_shows_its_boundary_alone") else { return };
     const SIDE: u32 = 256;
     let place = |at: u32| at as f32 / SIDE as f32 * 2.0 - 1.0;
     let bend = |x: f32, y: f32| 0.1 * (1.5 * x).sin() * y.cos();

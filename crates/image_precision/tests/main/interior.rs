@@ -1,7 +1,8 @@
 //! What front faces leave in the target.
 
 use crate::scene::{count, draw, framed, ink, torus};
-use silhouette_render::{DEFAULT_FORMATS, testing::gpu_or_skip};
+use silhouette_render::DEFAULT_FORMATS;
+use silhouette_testing::gpu_or_skip;
 
 /// Values of a pixel of the ground, which [`draw`] clears to, and of paper.
 const GROUND: u8 = 128;

@@ -7,7 +7,8 @@ use silhouette_core::shapes::{Cuboid, Sphere};
 use silhouette_core::view::{Camera, DepthDirection, Projection};
 use silhouette_gpu::TargetFormats;
 use silhouette_image_precision::scale;
-use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, testing::gpu_or_skip};
+use silhouette_render::{DEFAULT_FORMATS, Gpu, Image};
+use silhouette_testing::gpu_or_skip;
 
 /// The paper's z-scaled variant with these options.
 fn draw(gpu: &Gpu, mesh: &TriangleMesh, camera: &Camera, words: &[&str], formats: TargetFormats) -> Image {

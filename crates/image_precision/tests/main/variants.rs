@@ -6,7 +6,8 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::{Cuboid, Sphere};
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Projection};
 use silhouette_gpu::{FrameRenderer, TargetFormats};
-use silhouette_render::{DEFAULT_FORMATS, testing::gpu_or_skip};
+use silhouette_render::DEFAULT_FORMATS;
+use silhouette_testing::gpu_or_skip;
 use wgpu::TextureFormat::{Depth16Unorm, Depth24Plus, Depth32Float};
 
 /// Mean width outside of a sphere's outline, and how far the farthest ink is from it, in pixels.

@@ -2,8 +2,8 @@
 
 use crate::scenes::WHITE;
 use silhouette_gpu::TargetFormats;
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{AdapterChoice, DEFAULT_FORMATS, Gpu, GpuError, Load, Target};
+use silhouette_testing::gpu_or_skip;
 
 /// A device that a test may lose, or leave errors on, without another test noticing.
 fn own_gpu(test: &str) -> Option<Gpu> {

@@ -9,8 +9,8 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::{Cuboid, Sphere, Torus};
 use silhouette_core::view::{Camera, ClipRange, Framing, Projection};
 use silhouette_gpu::{Cap, FillStyle, FrameView, Hidden, Pen, PenPlacement, Polylines, StrokeStyle, TargetFormats};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{DEFAULT_FORMATS, ReferenceRenderer};
+use silhouette_testing::gpu_or_skip;
 
 fn pen(width_px: f64) -> StrokeStyle {
     StrokeStyle { pen: Pen { width_px, placement: PenPlacement::Centred }, ..StrokeStyle::default() }

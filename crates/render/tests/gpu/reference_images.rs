@@ -5,8 +5,8 @@ use glam::{DVec3, Vec3};
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Framing, Projection};
 use silhouette_gpu::{Color, FillStyle, Pen, PenPlacement, StrokeStyle};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{DEFAULT_FORMATS, GpuError, ReferenceRenderer, Scene};
+use silhouette_testing::gpu_or_skip;
 
 #[test]
 fn tiles_are_invisible() {

@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use silhouette_core::shapes::Cuboid;
 use silhouette_core::view::Camera;
 use silhouette_gpu::{Cap, Color, FillStyle, Hidden, Join, Pen, PenPlacement, Polylines, StrokeStyle};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{Gpu, Image, ReferenceRenderer, Scene};
+use silhouette_testing::gpu_or_skip;
 
 fn draw(gpu: &Gpu, camera: Camera, lines: &[(Vec<DVec3>, bool)], style: StrokeStyle) -> Image {
     let mut polylines = Polylines::new();

@@ -8,8 +8,8 @@ use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_gpu::{Color, Cull, FillStyle, Polylines, Shade, StrokeStyle, TargetFormats};
-use silhouette_render::testing::gpu_or_skip;
 use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target};
+use silhouette_testing::gpu_or_skip;
 
 const BLACK: FillStyle = FillStyle { shade: Shade::Flat(Color::BLACK), cull: Cull::None };
 
