@@ -3,6 +3,7 @@
 
 mod economy;
 mod interior;
+mod placed;
 mod scaled;
 mod scene;
 mod variants;

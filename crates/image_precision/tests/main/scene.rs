@@ -44,13 +44,27 @@ pub fn renderer(
     words: &[&str],
     formats: TargetFormats,
 ) -> Result<Renderer, RendererError> {
+    renderer_of(gpu, mesh, words, formats, &buffers(gpu, mesh))
+}
+
+pub fn buffers(gpu: &Gpu, mesh: &TriangleMesh) -> Arc<MeshBuffers> {
+    Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh).unwrap())
+}
+
+/// The same with the caller's buffers of the mesh.
+pub fn renderer_of(
+    gpu: &Gpu,
+    mesh: &TriangleMesh,
+    words: &[&str],
+    formats: TargetFormats,
+    buffers: &Arc<MeshBuffers>,
+) -> Result<Renderer, RendererError> {
     let options = ImagePrecisionOptions::parse(words.iter().copied()).unwrap();
     let prepared = Arc::new(PreparedMesh::new(mesh.clone()));
     let method = ImagePrecision::new(&prepared, options).unwrap();
-    let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh).unwrap());
     gpu.scoped(|| {
         let pipelines = Arc::new(method.pipelines(gpu.device(), formats)?);
-        method.renderer(gpu.device(), gpu.queue(), &pipelines, &buffers)
+        method.renderer(gpu.device(), gpu.queue(), &pipelines, buffers)
     })
     .unwrap()
 }
