@@ -60,7 +60,7 @@ fn refused(scene: &str, arguments: &[&str]) -> String {
 
 #[test]
 fn a_scene_and_a_sweep_of_options_become_one_cell_each() {
-    if silhouette_render::testing::gpu_or_skip("a_scene_and_a_sweep_of_options_become_one_cell_each").is_none() {
+    if silhouette_testing::gpu_or_skip("a_scene_and_a_sweep_of_options_become_one_cell_each").is_none() {
         return;
     }
     let (folder, scene) = folder_with(SCENE);

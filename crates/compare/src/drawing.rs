@@ -267,7 +267,7 @@ mod tests {
     use crate::registry::Registry;
     use silhouette_core::shapes;
     use silhouette_core::view::{Framing, ViewPreset};
-    use silhouette_render::testing::gpu_or_skip;
+    use silhouette_testing::gpu_or_skip;
 
     fn cube_and_camera() -> (Arc<PreparedMesh>, Camera) {
         let mesh = Arc::new(PreparedMesh::new(shapes::by_name("cube").unwrap()));

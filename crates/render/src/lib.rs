@@ -21,7 +21,6 @@ mod read_back;
 mod reference;
 mod submit;
 mod target;
-pub mod testing;
 mod timestamps;
 mod view;
 

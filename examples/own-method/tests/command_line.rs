@@ -23,7 +23,7 @@ fn the_method_extracts_and_is_known_by_name() {
 
 #[test]
 fn the_report_of_a_comparison_holds_the_method() {
-    let Some(_) = silhouette_render::testing::gpu_or_skip("the_report_of_a_comparison_holds_the_method") else {
+    let Some(_) = silhouette_testing::gpu_or_skip("the_report_of_a_comparison_holds_the_method") else {
         return;
     };
     let folder = tempfile::tempdir().unwrap();

@@ -118,8 +118,8 @@ mod tests {
     use silhouette_core::view::{Camera, Framing};
     use silhouette_core::{NoProgress, PreparedMesh, shapes};
     use silhouette_gpu::MeshBuffers;
-    use silhouette_render::testing::gpu_or_skip;
     use silhouette_render::{DEFAULT_SUPERSAMPLING, ReferenceRenderer};
+    use silhouette_testing::gpu_or_skip;
     use silhouette_visibility::{LineFinder, LineOptions, LineScene};
     use std::sync::Arc;
 

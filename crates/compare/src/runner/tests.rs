@@ -10,7 +10,7 @@ use crate::truth::fill::FillTruth;
 use frame_source::{FrameSource, Output};
 use silhouette_core::{Camera, NoProgress, PreparedMesh, SilhouetteEdges, TriangleMesh, shapes};
 use silhouette_render::Image;
-use silhouette_render::testing::gpu_or_skip;
+use silhouette_testing::gpu_or_skip;
 use std::sync::Arc;
 
 fn subject(name: &str, shape: &str) -> Subject {

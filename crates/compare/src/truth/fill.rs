@@ -66,7 +66,7 @@ mod tests {
     use silhouette_core::glam::{DVec3, Vec3};
     use silhouette_core::shapes;
     use silhouette_core::view::Framing;
-    use silhouette_render::testing::gpu_or_skip;
+    use silhouette_testing::gpu_or_skip;
     use std::f64::consts::PI;
 
     /// A ball seen in parallel projection is a disc.

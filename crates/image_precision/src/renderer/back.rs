@@ -14,7 +14,7 @@ pub(super) enum Back {
     /// The faces themselves; the pipeline is that of the view last prepared.
     Faces(wgpu::RenderPipeline),
     /// Their edges as lines.
-    Edges { list: BackEdges, pipeline: wgpu::RenderPipeline },
+    Edges { list: Box<BackEdges>, pipeline: wgpu::RenderPipeline },
     /// Their fattened polygons.
     Fat(Box<FatPolygons>),
     /// What lies behind the first layer.
@@ -33,7 +33,7 @@ impl Back {
         Ok(match stages {
             BackStages::Faces(pipeline) => Self::Faces(pipeline.get(false).clone()),
             BackStages::Edges { list, pipeline } => {
-                let list = BackEdges::new(device, queue, list, faces, None)?;
+                let list = Box::new(BackEdges::new(device, queue, list, faces, None)?);
                 Self::Edges { list, pipeline: pipeline.clone() }
             }
             BackStages::Fat(stages) => {

@@ -85,11 +85,7 @@ fn a_viewport_draws_within_its_rectangle_what_a_whole_target_shows() {
         renderer.prepare(gpu.device(), gpu.queue(), &within).unwrap();
         let large = scene::draw_with(gpu, &renderer, [200; 2], DEFAULT_FORMATS);
         let rows = (30..130).flat_map(|y| (60..160).map(move |x| (x, y)));
-        let inside = Image {
-            width: 100,
-            height: 100,
-            rgba: rows.flat_map(|(x, y)| large.pixel(x, y)).collect(),
-        };
+        let inside = Image { width: 100, height: 100, rgba: rows.flat_map(|(x, y)| large.pixel(x, y)).collect() };
         let differing = differing(&whole, &inside);
         assert!(differing < 20, "{words:?}: {differing} pixels");
         let drawn = |image: &Image| count(image, |value| value != 128);

@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use silhouette_core::NoProgress;
     use silhouette_core::shapes::by_name;
-    use silhouette_render::testing::gpu_or_skip;
+    use silhouette_testing::gpu_or_skip;
 
     fn of<'a>(mesh: &'a MeshResult, label: &str) -> &'a Score {
         &mesh.sharp.iter().find(|result| result.variant.label == label).unwrap().score

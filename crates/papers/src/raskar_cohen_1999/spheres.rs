@@ -136,7 +136,7 @@ fn derived(law: Law, mesh: &PreparedMesh, camera: &Camera) -> Around {
 mod tests {
     use super::*;
     use silhouette_core::NoProgress;
-    use silhouette_render::testing::gpu_or_skip;
+    use silhouette_testing::gpu_or_skip;
 
     fn widths(around: &[Around]) -> Vec<f64> {
         around.iter().map(|around| around.width_px).collect()

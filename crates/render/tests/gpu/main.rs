@@ -1,6 +1,7 @@
 //! What this crate draws and reads back, on whatever adapter there is.
 
 mod errors;
+mod face_ids;
 mod hidden_lines;
 mod reference_images;
 mod scenes;
