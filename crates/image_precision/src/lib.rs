@@ -26,8 +26,8 @@
 //! # When to choose it
 //! For a triangle soup: positions and triangles are enough, without adjacency or preparation. O(F) per view on the GPU and
 //! nothing on the CPU, unless the eye is within the mesh's bounding box, where an O(F) test finds out whether it is inside.
-//! Positions may change every frame (`MeshBuffers::set_positions`, or a buffer of the application's). `screen` draws even lines; the paper's
-//! variants are for comparison, for their look, and for adapters without compute stages.
+//! Positions may change every frame (`MeshBuffers::set_positions`, or a buffer of the application's). `screen` draws even
+//! lines; the paper's variants are for comparison, for their look, and for adapters without compute stages.
 //!
 //! # Depth
 //! Near and far plane are the application's; `Renderer::clip_range` says which depths hold what is pulled too. Pulls smaller
@@ -40,9 +40,9 @@
 //! 3. Each variant's departures are listed in its module.
 //!
 //! # Input and output
-//! Triangles counter-clockwise from outside; model matrices that mirror are taken into account. Facing of drawn faces is decided by the rasteriser, of listed faces by the
-//! sign of their plane at the eye; they differ at most for faces that are edge-on, which cover no pixel. Objects that touch
-//! or intersect get lines along their contact as well.
+//! Triangles counter-clockwise from outside; model matrices that mirror are taken into account. Facing of drawn faces is
+//! decided by the rasteriser, of listed faces by the sign of their plane at the eye; they differ at most for faces that are
+//! edge-on, which cover no pixel. Objects that touch or intersect get lines along their contact as well.
 //!
 //! # Failures
 //! Open meshes: a back face seen through a hole is black all over by every pull, and boundary edges of front faces get no

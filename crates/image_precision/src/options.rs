@@ -200,7 +200,7 @@ method_options! {
         pub ink_green: f64 = number("ink-green", 0.0..=1.0, default 0.0),
         /// Blue of the ink, in sRGB as displayed.
         pub ink_blue: f64 = number("ink-blue", 0.0..=1.0, default 0.0),
-        /// Opacity of the ink: 0 draws nothing, 1 covers what lies below.
+        /// Opacity of the ink: 0 draws nothing, 1 covers what lies below. Below 1, overlapping strips darken each other.
         pub ink_alpha: f64 = number("ink-alpha", 0.0..=1.0, default 1.0),
         /// Pattern of lines that have a width: dashes run with the nearer axis of the image, stipple lies in the image.
         pub texture: Texture = choice("texture"),

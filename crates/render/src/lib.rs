@@ -30,7 +30,7 @@ pub use error::GpuError;
 pub use face_ids::FaceIdPass;
 pub use gpu::{DEFAULT_MEMORY_BUDGET, Gpu};
 pub use image::{DepthImage, IdImage, Image, ImageError};
-pub use reference::{DEFAULT_SUPERSAMPLING, ReferenceDepth, ReferenceRenderer, Scene};
+pub use reference::{DEFAULT_SUPERSAMPLING, ReferenceDepth, ReferencePicture, ReferenceRenderer};
 pub use submit::{Load, PassTime};
 pub use target::{DEFAULT_FORMATS, Target};
 pub use view::view_of_mesh;

@@ -4,7 +4,7 @@ use crate::metrics::filled_picture::FilledPicture;
 use silhouette_core::TriangleMesh;
 use silhouette_core::view::Camera;
 use silhouette_gpu::{Color, Cull, FillStyle, MeshBuffers, MeshTooLarge, Polylines, Shade, StrokeStyle};
-use silhouette_render::{DEFAULT_SUPERSAMPLING, Gpu, GpuError, ReferenceRenderer, Scene};
+use silhouette_render::{DEFAULT_SUPERSAMPLING, Gpu, GpuError, ReferencePicture, ReferenceRenderer};
 use std::sync::Arc;
 
 /// How the mesh is lit in truth: white, from the viewer's upper left, alike from both sides.
@@ -48,7 +48,7 @@ impl FillTruth {
     /// # Errors
     /// [`FillTruthError::Gpu`].
     pub fn find(&mut self, gpu: &Gpu, camera: &Camera) -> Result<FilledPicture, FillTruthError> {
-        let scene = Scene {
+        let picture = ReferencePicture {
             mesh: &self.buffers,
             fill: LIT,
             lines: &self.lines,
@@ -56,7 +56,7 @@ impl FillTruth {
             camera: *camera,
             ground: Color::TRANSPARENT,
         };
-        Ok(FilledPicture::new(self.renderer.image(gpu, &scene, DEFAULT_SUPERSAMPLING)?))
+        Ok(FilledPicture::new(self.renderer.image(gpu, &picture, DEFAULT_SUPERSAMPLING)?))
     }
 }
 

@@ -29,7 +29,7 @@ const MAX_SUPERSAMPLING: u32 = 16;
 
 /// What a reference image shows.
 #[derive(Debug, Clone, Copy)]
-pub struct Scene<'a> {
+pub struct ReferencePicture<'a> {
     /// The mesh.
     pub mesh: &'a Arc<MeshBuffers>,
     /// How it is filled. It hides lines whatever its style; with culling, only by the faces drawn.
@@ -44,8 +44,8 @@ pub struct Scene<'a> {
     pub ground: Color,
 }
 
-/// Draws [`Scene`]s at n x n samples per pixel, averaged by a box filter over the bytes as stored: of black ink on white
-/// paper, a pixel's darkness is the covered share of its area.
+/// Draws [`ReferencePicture`]s at n x n samples per pixel, averaged by a box filter over the bytes as stored: of black
+/// ink on white paper, a pixel's darkness is the covered share of its area.
 ///
 /// Tiles of at most 2048 x 2048 samples keep the memory bounded for any image size. Cost: each tile draws the whole
 /// mesh, in one submission and one more for the average. Targets and pipelines are kept for the next image of the same size and
@@ -81,19 +81,19 @@ impl ReferenceRenderer {
         })
     }
 
-    /// The scene with `n` x `n` samples per pixel, n from 1 to 16. Colours are premultiplied by alpha.
+    /// The picture with `n` x `n` samples per pixel, n from 1 to 16. Colours are premultiplied by alpha.
     ///
     /// # Errors
     /// [`GpuError::Samples`], [`GpuError::OverBudget`], [`GpuError::Size`]; what the device reports.
-    pub fn image(&mut self, gpu: &Gpu, scene: &Scene<'_>, n: u32) -> Result<Image, GpuError> {
+    pub fn image(&mut self, gpu: &Gpu, picture: &ReferencePicture<'_>, n: u32) -> Result<Image, GpuError> {
         check_supersampling(n)?;
-        let [width, height] = scene.camera.size();
+        let [width, height] = picture.camera.size();
         gpu.check_budget(4 * u64::from(width) * u64::from(height))?;
-        let limit = match scene.style.join {
+        let limit = match picture.style.join {
             Join::Miter { limit } => f64::from(limit.max(1.0)),
             Join::Round | Join::Bevel => 1.0,
         };
-        let tiling = Tiling::new([width, height], n, scene.style.pen.width_px * limit);
+        let tiling = Tiling::new([width, height], n, picture.style.pen.width_px * limit);
         let TileTargets { samples, pixels } = match self.targets.take() {
             Some(kept) if kept.samples.size() == tiling.target_px() && kept.pixels.size() == tiling.tile_px() => kept,
             _ => TileTargets {
@@ -101,11 +101,11 @@ impl ReferenceRenderer {
                 pixels: Target::new(gpu, tiling.tile_px(), DEFAULT_FORMATS)?,
             },
         };
-        let mut fill = FillRenderer::new(gpu.device(), &self.fill_of(gpu, scene.fill)?, scene.mesh);
-        let mut strokes = StrokeRenderer::new(gpu.device(), &self.strokes_of(gpu, scene.style, n)?, scene.mesh);
-        strokes.lines_mut().clone_from(scene.lines);
-        let whole = view_of_mesh(&scene.camera, scene.mesh)?;
-        let ground = scene.ground.for_target(&DEFAULT_FORMATS).map(f64::from);
+        let mut fill = FillRenderer::new(gpu.device(), &self.fill_of(gpu, picture.fill)?, picture.mesh);
+        let mut strokes = StrokeRenderer::new(gpu.device(), &self.strokes_of(gpu, picture.style, n)?, picture.mesh);
+        strokes.lines_mut().clone_from(picture.lines);
+        let whole = view_of_mesh(&picture.camera, picture.mesh)?;
+        let ground = picture.ground.for_target(&DEFAULT_FORMATS).map(f64::from);
         let mut image = Image { width, height, rgba: vec![0; 4 * width as usize * height as usize] };
         for placed in tiling.tiles() {
             let view = placed.view(&whole)?;

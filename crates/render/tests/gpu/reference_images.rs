@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use silhouette_core::shapes::{Cuboid, Torus};
 use silhouette_core::view::{Camera, Framing, Projection};
 use silhouette_gpu::{Color, FillStyle, Pen, PenPlacement, StrokeStyle};
-use silhouette_render::{DEFAULT_FORMATS, GpuError, ReferenceRenderer, Scene};
+use silhouette_render::{DEFAULT_FORMATS, GpuError, ReferencePicture, ReferenceRenderer};
 use silhouette_testing::gpu_or_skip;
 
 #[test]
@@ -20,10 +20,10 @@ fn tiles_are_invisible() {
     let pen = Pen { width_px: 9.0, placement: PenPlacement::Centred };
     let style = StrokeStyle { pen, ..StrokeStyle::default() };
     let fill = FillStyle::PAPER;
-    let scene = Scene { mesh: &buffers, fill, lines: &lines, style, camera, ground: Color::WHITE };
+    let picture = ReferencePicture { mesh: &buffers, fill, lines: &lines, style, camera, ground: Color::WHITE };
     let mut renderer = ReferenceRenderer::new(gpu).unwrap();
-    let tiled = renderer.image(gpu, &scene, n).unwrap();
-    assert_eq!(renderer.image(gpu, &scene, n).unwrap(), tiled, "a repeat");
+    let tiled = renderer.image(gpu, &picture, n).unwrap();
+    assert_eq!(renderer.image(gpu, &picture, n).unwrap(), tiled, "a repeat");
 
     // The same in one piece, averaged here.
     let wide = StrokeStyle { pen: Pen { width_px: pen.width_px * f64::from(n), ..pen }, ..style };

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use silhouette_core::shapes::Cuboid;
 use silhouette_core::view::Camera;
 use silhouette_gpu::{Cap, Color, FillStyle, Hidden, Join, Pen, PenPlacement, Polylines, StrokeStyle};
-use silhouette_render::{Gpu, Image, ReferenceRenderer, Scene};
+use silhouette_render::{Gpu, Image, ReferencePicture, ReferenceRenderer};
 use silhouette_testing::gpu_or_skip;
 
 fn draw(gpu: &Gpu, camera: Camera, lines: &[(Vec<DVec3>, bool)], style: StrokeStyle) -> Image {
@@ -14,8 +14,15 @@ fn draw(gpu: &Gpu, camera: Camera, lines: &[(Vec<DVec3>, bool)], style: StrokeSt
         polylines.push(points.iter().copied(), *closed);
     }
     let mesh = upload(gpu, &empty_mesh());
-    let scene = Scene { mesh: &mesh, fill: FillStyle::PAPER, lines: &polylines, style, camera, ground: Color::WHITE };
-    ReferenceRenderer::new(gpu).unwrap().image(gpu, &scene, 8).unwrap()
+    let picture = ReferencePicture {
+        mesh: &mesh,
+        fill: FillStyle::PAPER,
+        lines: &polylines,
+        style,
+        camera,
+        ground: Color::WHITE,
+    };
+    ReferenceRenderer::new(gpu).unwrap().image(gpu, &picture, 8).unwrap()
 }
 
 fn style(width_px: f64, join: Join, cap: Cap) -> StrokeStyle {
