@@ -22,15 +22,22 @@ pub fn run(registry: &Registry) -> Result<(), Failure> {
         }
         Err(_) => text.push_str("adapter     none\n"),
     }
-    let _ = writeln!(text, "\n{:<17} {:<13} {:<14} runs on", "method", "needs", "yields");
-    for entry in registry.entries() {
-        let info = entry.info();
-        let needs = if info.needs.is_empty() { "triangles".to_owned() } else { info.needs.join(", ") };
-        let can = entry.capabilities();
-        let _ = writeln!(text, "{:<17} {needs:<13} {:<14} {}", info.name, yields(can), place(can, gpu.is_ok()));
-    }
+    text.push('\n');
+    text.push_str(&methods(registry, gpu.is_ok()));
     Output::Stdout.write(text.as_bytes())?;
     gpu.map(drop).map_err(Failure::gpu)
+}
+
+/// One row per method, its columns as wide as their longest entry.
+fn methods(registry: &Registry, has_adapter: bool) -> String {
+    let mut rows = vec![["method", "needs", "yields", "runs on"].map(str::to_owned)];
+    for entry in registry.entries() {
+        let (info, can) = (entry.info(), entry.capabilities());
+        let needs = if info.needs.is_empty() { "triangles".to_owned() } else { info.needs.join(", ") };
+        rows.push([info.name.to_owned(), needs, yields(can), place(can, has_adapter).to_owned()]);
+    }
+    let [name, needs, yields] = [0, 1, 2].map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or(0));
+    rows.iter().map(|[a, b, c, d]| format!("{a:<name$}  {b:<needs$}  {c:<yields$}  {d}\n")).collect()
 }
 
 /// What a method yields, separated by commas.

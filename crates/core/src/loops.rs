@@ -254,7 +254,7 @@ impl LoopWalker {
             let across = match topology.twin(candidate) {
                 Twin::HalfEdge(twin) => twin,
                 Twin::NonManifold => next_around_edge(topology, candidate),
-                Twin::Border => panic!("a boundary edge of a front face is a silhouette edge"),
+                Twin::Boundary => panic!("a boundary edge of a front face is a silhouette edge"),
             };
             candidate = across.next_in_face();
             assert!(candidate != half_edge.next_in_face(), "around a silhouette vertex there are silhouette edges");
@@ -297,7 +297,7 @@ pub fn next_silhouette_half_edge<F: FnMut(FaceId) -> bool>(
     let mut candidate = half_edge.next_in_face();
     loop {
         let across = match topology.twin(candidate) {
-            Twin::Border => return candidate,
+            Twin::Boundary => return candidate,
             Twin::HalfEdge(twin) if is_front(twin.face()) => twin,
             Twin::HalfEdge(_) => return candidate,
             Twin::NonManifold if is_silhouette(is_front, topology.edge_of(candidate)) => return candidate,

@@ -27,12 +27,12 @@ pub enum Twin {
     /// The other half-edge of an interior edge.
     HalfEdge(HalfEdgeId),
     /// Nothing: a boundary edge.
-    Border,
+    Boundary,
     /// Two or more other faces: ask [`Topology::half_edges`] of the edge.
     NonManifold,
 }
 
-const BORDER: u32 = u32::MAX;
+const BOUNDARY: u32 = u32::MAX;
 const NON_MANIFOLD: u32 = u32::MAX - 1;
 
 /// Edges with all their incident faces; twin half-edges with the twin's slot.
@@ -111,7 +111,7 @@ impl Topology {
     pub fn severed(&self, edges: impl IntoIterator<Item = EdgeId>) -> Self {
         let mut severed = self.clone();
         for &half_edge in edges.into_iter().flat_map(|edge| self.half_edges(edge)) {
-            severed.twins[half_edge] = BORDER;
+            severed.twins[half_edge] = BOUNDARY;
         }
         severed
     }
@@ -132,7 +132,7 @@ impl Topology {
     #[inline]
     pub fn twin(&self, half_edge: HalfEdgeId) -> Twin {
         match self.twins[half_edge] {
-            BORDER => Twin::Border,
+            BOUNDARY => Twin::Boundary,
             NON_MANIFOLD => Twin::NonManifold,
             twin => Twin::HalfEdge(HalfEdgeId::new(twin)),
         }
@@ -203,7 +203,7 @@ mod tests {
                 assert_eq!(topology.edge_of(half_edge), edge);
                 let others: Vec<_> = half_edges.iter().copied().filter(|&other| other != half_edge).collect();
                 let twin = match others[..] {
-                    [] => Twin::Border,
+                    [] => Twin::Boundary,
                     [twin] => Twin::HalfEdge(twin),
                     _ => Twin::NonManifold,
                 };
@@ -232,7 +232,7 @@ mod tests {
         let severed = topology.severed([edge]);
         assert_eq!(severed.half_edges(edge), topology.half_edges(edge));
         for half_edge in (0..9).map(HalfEdgeId::new) {
-            let expected = if topology.edge_of(half_edge) == edge { Twin::Border } else { topology.twin(half_edge) };
+            let expected = if topology.edge_of(half_edge) == edge { Twin::Boundary } else { topology.twin(half_edge) };
             assert_eq!(severed.twin(half_edge), expected);
         }
     }

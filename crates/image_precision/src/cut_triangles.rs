@@ -2,6 +2,7 @@
 
 use crate::fans::Noted;
 use crate::fatten::{self, FattenLaw};
+use crate::ink;
 use crate::settings::{Settings, Variant};
 use silhouette_gpu::TargetFormats;
 use silhouette_gpu::kit::{compute_pipeline, workgroups};
@@ -40,7 +41,7 @@ impl CutTriangles {
                 "image precision: cut triangles",
                 ["cut_vertex", fragment],
                 LAYOUT,
-                settings,
+                ink::blend(settings),
                 formats,
             )
         });

@@ -1,7 +1,7 @@
 //! Fattened polygons as fans of triangles. Stage that lists them: `shaders/image_precision/fans.wgsl`.
 
 use crate::fatten;
-use crate::ink::solid_fragment;
+use crate::ink::{self, solid_fragment};
 use crate::options::Texture;
 use crate::settings::{Settings, Variant};
 use silhouette_gpu::TargetFormats;
@@ -71,7 +71,14 @@ impl Fans {
         };
         Self {
             listing: compute_pipeline(device, FANS, "fan_rest", bindings),
-            drawing: fatten::pipeline(device, "image precision: fattened polygons", stages, layouts, settings, formats),
+            drawing: fatten::pipeline(
+                device,
+                "image precision: fattened polygons",
+                stages,
+                layouts,
+                ink::blend(settings),
+                formats,
+            ),
         }
     }
 

@@ -87,7 +87,7 @@ pub(crate) fn pipeline(
     label: &str,
     [vertex, fragment]: [&str; 2],
     vertex_buffers: &[Option<wgpu::VertexBufferLayout<'static>>],
-    settings: &crate::settings::Settings,
+    blend: Option<wgpu::BlendState>,
     formats: silhouette_gpu::TargetFormats,
 ) -> wgpu::RenderPipeline {
     silhouette_gpu::kit::RenderStage {
@@ -99,7 +99,7 @@ pub(crate) fn pipeline(
         vertex_buffers,
         depth: Some(formats.depth_state(formats.nearer_or_equal())),
         color: formats.color,
-        blend: crate::ink::blend(settings),
+        blend,
         samples: formats.samples,
         ..silhouette_gpu::kit::RenderStage::default()
     }

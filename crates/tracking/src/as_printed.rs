@@ -135,7 +135,7 @@ pub fn find_silhouette_edge(
 fn twin(topology: &Topology, half_edge: HalfEdgeId) -> Option<HalfEdgeId> {
     match topology.twin(half_edge) {
         Twin::HalfEdge(twin) => Some(twin),
-        Twin::Border | Twin::NonManifold => None,
+        Twin::Boundary | Twin::NonManifold => None,
     }
 }
 

@@ -80,7 +80,7 @@ impl ConnectivityTable {
         let across = |face, slot| match topology.twin(HalfEdgeId::of(face, slot)) {
             Twin::HalfEdge(twin) => (twin.face().get(), twin.slot() as u8),
             // Non-manifold edges have been cut.
-            Twin::Border | Twin::NonManifold => (NOTHING_ACROSS, 0),
+            Twin::Boundary | Twin::NonManifold => (NOTHING_ACROSS, 0),
         };
         let row = |face| {
             let across = [0, 1, 2].map(|slot| across(face, slot));

@@ -5,9 +5,6 @@
 pub mod flat;
 pub mod label;
 
-// `reproduce` knows it by this name.
-pub use crate::scene::Profile;
-
 use crate::cost::{FrameCost, PrepareCost};
 use crate::metrics::table::{PictureKind, PictureMetrics};
 use crate::options::OptionSettings;

@@ -10,7 +10,7 @@ use crate::truth::fill::FillTruth;
 use frame_source::{FrameSource, Output};
 use silhouette_core::{Camera, NoProgress, PreparedMesh, SilhouetteEdges, TriangleMesh, shapes};
 use silhouette_render::Image;
-use silhouette_testing::gpu_or_skip;
+use silhouette_testing::{Cancelling, gpu_or_skip};
 use std::sync::Arc;
 
 fn subject(name: &str, shape: &str) -> Subject {
@@ -217,16 +217,8 @@ fn a_method_that_refuses_a_mesh_is_left_out_with_its_reason() {
 
 #[test]
 fn a_cancelled_comparison_stops() {
-    struct CancelAlways;
-    impl Progress for CancelAlways {
-        fn stage(&self, _name: &str, _total: u64) {}
-        fn advance(&self, _steps: u64) {}
-        fn is_cancelled(&self) -> bool {
-            true
-        }
-    }
     let Some(gpu) = gpu_or_skip("a_cancelled_comparison_stops") else { return };
     let config = CompareConfig::new(small(&["brute-force"]), &Registry::builtin()).unwrap();
-    let stopped = run(&config, &[subject("torus", "torus")], gpu, &CancelAlways);
+    let stopped = run(&config, &[subject("torus", "torus")], gpu, &Cancelling::at_once());
     assert!(matches!(stopped, Err(CompareError::Cancelled(_))), "{stopped:?}");
 }

@@ -61,7 +61,7 @@ pub(super) fn chain(sides: Sides) -> Vec<BoundaryLoop> {
 }
 
 fn is_boundary(sides: Sides, half_edge: HalfEdgeId) -> bool {
-    sides.topology.twin(half_edge) == Twin::Border && !sides.is_collapsed(sides.topology.edge_of(half_edge))
+    sides.topology.twin(half_edge) == Twin::Boundary && !sides.is_collapsed(sides.topology.edge_of(half_edge))
 }
 
 /// The other boundary edge of the fan that `end` lies in, by its end at the same vertex. `None` where the fan ends in
@@ -85,8 +85,8 @@ fn across_fan(sides: Sides, end: End) -> Option<End> {
                 at_head = at_head == same_direction;
                 half_edge = twin;
             }
-            Twin::Border if is_boundary(sides, half_edge) => return Some(End { half_edge, at_head }),
-            Twin::Border | Twin::NonManifold => return None,
+            Twin::Boundary if is_boundary(sides, half_edge) => return Some(End { half_edge, at_head }),
+            Twin::Boundary | Twin::NonManifold => return None,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The bumpy blob: a closed mesh of any size.
 
-use super::registry::{ArgumentSpec, Builtin, MAX_FACES, ShapeError};
+use super::builtin::{ArgumentSpec, Builtin, MAX_FACES, ShapeError};
 use super::{around_y, finish, turn};
 use crate::mesh::TriangleMesh;
 use glam::DVec3;

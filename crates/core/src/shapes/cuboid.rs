@@ -1,6 +1,6 @@
 //! The cuboid: twelve faces, all creases.
 
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
 

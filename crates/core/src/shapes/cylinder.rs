@@ -1,6 +1,6 @@
 //! The capped cylinder.
 
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::revolution::{face_count, revolve};
 use crate::mesh::TriangleMesh;
 use glam::DVec2;

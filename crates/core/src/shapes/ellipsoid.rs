@@ -1,6 +1,6 @@
 //! The ellipsoid, tessellated by latitude and longitude.
 
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::revolution::{face_count, revolve};
 use crate::mesh::TriangleMesh;
 use glam::{DVec2, DVec3, Vec3};

@@ -1,7 +1,7 @@
 //! The gear: a toothed plate with a bore.
 
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::lattice::Lattice;
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
 use super::{around_y, turn};
 use crate::mesh::TriangleMesh;
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! The open grid.
 
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::lattice::Lattice;
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
 use crate::mesh::TriangleMesh;
 use glam::DVec3;
 

@@ -1,7 +1,7 @@
 //! The machine room: pipes, flanges, valves, tanks and ladders, hundreds of closed objects that hide each other.
 
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::lattice::Lattice;
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
 use super::revolution::revolve;
 use super::{around_y, finish, turn};
 use crate::mesh::TriangleMesh;

@@ -20,6 +20,7 @@
 //! Cost: O(V + F), in parallel for all but the smallest shapes.
 
 mod blob;
+mod builtin;
 mod cone;
 pub mod contour;
 mod cuboid;
@@ -37,6 +38,7 @@ mod torus;
 mod torus_knot;
 
 pub use blob::Blob;
+pub use builtin::{ArgumentKind, ArgumentSpec, Builtin, MAX_FACES, ShapeError};
 pub use cone::Cone;
 pub use contour::{AnalyticContour, ContourCurve, ContourKind};
 pub use cuboid::Cuboid;
@@ -46,7 +48,7 @@ pub use gear::Gear;
 pub use grid::Grid;
 pub use machine_room::MachineRoom;
 pub use moebius::MoebiusStrip;
-pub use registry::{ArgumentKind, ArgumentSpec, BUILTINS, Builtin, MAX_FACES, ShapeError, by_name, contour_by_name};
+pub use registry::{BUILTINS, by_name, contour_by_name};
 pub use sphere::Sphere;
 pub use torus::Torus;
 pub use torus_knot::TorusKnot;
@@ -54,7 +56,7 @@ pub use torus_knot::TorusKnot;
 use crate::mesh::TriangleMesh;
 use glam::{DVec3, Vec3};
 
-/// Wraps arrays that a generator made. The ranges of [`registry`] keep every coordinate finite and every count far below
+/// Wraps arrays that a generator made. The ranges of [`Builtin`] keep every coordinate finite and every count far below
 /// the limits of a mesh, so a refusal here is a bug of the generator.
 fn finish(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> TriangleMesh {
     TriangleMesh::new(positions, triangles).expect("generators yield finite positions and indices in range")

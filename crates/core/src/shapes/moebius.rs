@@ -1,6 +1,6 @@
 //! The Möbius strip.
 
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::{around_y, finish, turn};
 use crate::mesh::TriangleMesh;
 use glam::DVec3;

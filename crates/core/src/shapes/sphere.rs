@@ -1,6 +1,6 @@
 //! The sphere, tessellated evenly (geodesic) or by latitude and longitude.
 
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::{ellipsoid::Ellipsoid, finish};
 use crate::mesh::TriangleMesh;
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! Tubes around torus knots.
 
+use super::builtin::{ArgumentSpec, Builtin, ShapeError};
 use super::lattice::Lattice;
-use super::registry::{ArgumentSpec, Builtin, ShapeError};
 use crate::mesh::TriangleMesh;
 use glam::DVec3;
 use std::f64::consts::TAU;

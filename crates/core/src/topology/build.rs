@@ -1,6 +1,6 @@
 //! Building a [`Topology`] by a parallel bucket sort of the half-edges.
 
-use super::{BORDER, NON_MANIFOLD, Topology};
+use super::{BOUNDARY, NON_MANIFOLD, Topology};
 use crate::id::{EdgeId, HalfEdgeId};
 use crate::mesh::TriangleMesh;
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ pub(super) fn build(mesh: &TriangleMesh) -> Topology {
 /// Scattered writes from several tasks, each half-edge written exactly once: relaxed atomics are plain stores on the
 /// machines we know, and keep the code free of `unsafe`.
 fn unwritten(count: usize) -> Vec<AtomicU32> {
-    (0..count).map(|_| AtomicU32::new(BORDER)).collect()
+    (0..count).map(|_| AtomicU32::new(BOUNDARY)).collect()
 }
 
 /// Vertices are counted in this many blocks to find ranges of equal work.
