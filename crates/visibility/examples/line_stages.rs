@@ -1,4 +1,4 @@
-//! Times the lines of one view, stage by stage: `cargo run --release --example speed -- MESH...`
+//! Times the lines of one view, stage by stage: `cargo run --release -p silhouette-visibility --example line_stages -- MESH...`
 //!
 //! Each mesh is prepared once and seen from three quarters as the command line sees it, then from 19 more places on a
 //! circle about it; the stages are those of the median.
