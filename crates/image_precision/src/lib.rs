@@ -26,7 +26,7 @@
 //! # When to choose it
 //! For a triangle soup: positions and triangles are enough, without adjacency or preparation. O(F) per view on the GPU and
 //! nothing on the CPU, unless the eye is within the mesh's bounding box, where an O(F) test finds out whether it is inside.
-//! Positions may change every frame (`MeshBuffers::set_positions`, or a buffer of the application's). `screen` draws even
+//! Positions may change every frame (`MeshBuffers::set_positions`, or the application's own buffer). `screen` draws even
 //! lines; the paper's variants are for comparison, for their look, and for adapters without compute stages.
 //!
 //! # Depth
