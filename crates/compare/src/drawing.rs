@@ -26,6 +26,9 @@ pub enum DrawError {
     /// The method yields nothing that could be drawn as this kind of picture.
     #[error("the method yields no {0:?}")]
     Kind(PictureKind),
+    /// There is nothing to draw.
+    #[error("the mesh has no faces")]
+    NoFaces,
     /// The device's buffers cannot hold the mesh.
     #[error(transparent)]
     MeshTooLarge(#[from] MeshTooLarge),
@@ -178,7 +181,7 @@ impl Drawing {
     /// # Errors
     /// [`DrawError`].
     pub fn draw(&mut self, gpu: &Gpu, camera: &Camera) -> Result<FrameSample, DrawError> {
-        let Some(bounds) = self.mesh.bounds() else { return Err(DrawError::View(FrameViewError::Viewport)) };
+        let Some(bounds) = self.mesh.bounds() else { return Err(DrawError::NoFaces) };
         let start = Instant::now();
         let renderer = self.source.renderer();
         let range = renderer.clip_range(camera, camera.clip_range(&bounds));
@@ -279,6 +282,18 @@ mod tests {
 
     fn style(samples: u32, ground: Ground) -> FrameStyle {
         FrameStyle { size: [128, 96], pen_width_px: 2.0, samples, ground }
+    }
+
+    #[test]
+    fn a_mesh_without_faces_is_refused_as_such() {
+        let Some(gpu) = gpu_or_skip("a_mesh_without_faces_is_refused_as_such") else { return };
+        let (_, camera) = cube_and_camera();
+        let empty = Arc::new(PreparedMesh::new(silhouette_core::TriangleMesh::new(vec![], vec![]).unwrap()));
+        let registry = Registry::builtin();
+        let entry = registry.find("brute-force").unwrap();
+        let options = OptionValues::defaults(entry.info().options);
+        let drawn = render_method(gpu, entry, &options, &empty, &camera, style(1, Ground::Paper), &NoProgress);
+        assert!(matches!(drawn, Err(DrawError::NoFaces)));
     }
 
     #[test]
