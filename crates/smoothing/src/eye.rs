@@ -1,0 +1,105 @@
+//! [`Eye`] and [`SmoothingView`]: where a mesh is seen from, and how large.
+
+use silhouette_core::glam::{DMat4, DVec2, DVec3, DVec4, Vec4Swizzles as _};
+use silhouette_core::view::{Camera, ClipRange, DepthDirection, Viewpoint};
+
+/// Where a mesh is seen from, in its own space: a point with w = 1, or a direction towards the viewer with w = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eye(DVec4);
+
+impl From<Viewpoint> for Eye {
+    fn from(viewpoint: Viewpoint) -> Self {
+        match viewpoint {
+            Viewpoint::Perspective { eye } => Self(eye.as_dvec3().extend(1.0)),
+            Viewpoint::Orthographic { toward_viewer } => Self(toward_viewer.as_dvec3().normalize_or_zero().extend(0.0)),
+        }
+    }
+}
+
+impl Eye {
+    /// From a point with w = 1 or a direction towards the viewer with w = 0, in object space.
+    pub fn new(homogeneous: DVec4) -> Self {
+        Self(homogeneous)
+    }
+
+    /// The vector from a point towards the viewer: the paper's D of section II; its D of Eq. 7 is the negative. Of unit length
+    /// for a direction, not for an eye.
+    pub fn toward(self, point: DVec3) -> DVec3 {
+        self.0.truncate() - self.0.w * point
+    }
+
+    /// The eye, or `None` for parallel projection.
+    pub fn position(self) -> Option<DVec3> {
+        (self.0.w != 0.0).then(|| self.0.truncate())
+    }
+
+    /// The point with w = 1 or direction with w = 0.
+    pub fn homogeneous(self) -> DVec4 {
+        self.0
+    }
+}
+
+/// A view of a mesh in pixels: what smoothing depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothingView {
+    eye: Eye,
+    /// Object space to pixels: x, y and w are those of the pixel times w.
+    to_pixel: DMat4,
+}
+
+impl SmoothingView {
+    /// The view of a camera whose world is the mesh's own space.
+    pub fn from_camera(camera: &Camera) -> Self {
+        // Pixels do not depend on the range of depths.
+        let range = ClipRange { near: 1.0, far: 2.0 };
+        let to_clip = camera.world_to_clip(range, DepthDirection::Standard);
+        Self::new(Eye::from(camera.viewpoint()), to_clip, camera.size())
+    }
+
+    /// A view from an eye, with a matrix from object space to clip space and the size of the viewport in pixels.
+    pub fn new(eye: Eye, object_to_clip: DMat4, size: [u32; 2]) -> Self {
+        let half = size.map(|side| 0.5 * f64::from(side));
+        let to_pixel = DMat4::from_translation(DVec3::new(half[0], half[1], 0.0))
+            * DMat4::from_scale(DVec3::new(half[0], -half[1], 1.0));
+        Self { eye, to_pixel: to_pixel * object_to_clip }
+    }
+
+    /// Where the mesh is seen from.
+    pub fn eye(&self) -> Eye {
+        self.eye
+    }
+
+    /// Object space to pixels, homogeneous: x right, y down.
+    pub fn to_pixel(&self) -> DMat4 {
+        self.to_pixel
+    }
+
+    /// Where a point appears, in pixels, and its w, which is above 0 in front of the viewer.
+    pub fn pixel(&self, point: DVec3) -> (DVec2, f64) {
+        let pixel = self.to_pixel * point.extend(1.0);
+        (pixel.xy() / pixel.w, pixel.w)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::glam::Vec3;
+    use silhouette_core::view::Projection;
+
+    #[test]
+    fn pixels_are_those_of_the_camera() {
+        for projection in [Projection::Perspective { fov_y_rad: 0.7 }, Projection::Orthographic { height: 3.0 }] {
+            let camera =
+                Camera::new(Vec3::new(1.0, 2.0, 6.0), Vec3::new(0.1, 0.0, 0.0), Vec3::Y, projection, [640, 400])
+                    .unwrap();
+            let view = SmoothingView::from_camera(&camera);
+            for point in [DVec3::ZERO, DVec3::new(0.3, -0.4, 0.5)] {
+                let (pixel, w) = view.pixel(point);
+                assert!(pixel.distance(camera.project(point).unwrap().pixel) < 1e-9 && w > 0.0);
+            }
+            let is_perspective = matches!(projection, Projection::Perspective { .. });
+            assert_eq!(view.eye().position().is_some(), is_perspective);
+        }
+    }
+}

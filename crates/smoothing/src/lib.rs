@@ -1,0 +1,19 @@
+//! Smooth silhouettes for coarse triangle meshes.
+#![allow(missing_docs, reason = "under construction")]
+pub mod bridges;
+pub mod eye;
+pub mod feature_edges;
+pub mod feature_polylines;
+pub mod feature_segments;
+pub mod hermite;
+pub mod sampling;
+pub mod shading_mesh;
+pub mod shading_normals;
+pub mod silhouette_points;
+pub mod vertex_visibility;
+pub mod view_mesh;
+
+pub use eye::{Eye, SmoothingView};
+pub use hermite::Hermite;
+pub use shading_mesh::ShadingMesh;
+pub use view_mesh::{Origin, Remesher, ViewMesh};

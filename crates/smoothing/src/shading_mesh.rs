@@ -1,0 +1,91 @@
+//! [`ShadingMesh`]: a mesh with its feature edges and shading normals, as all methods of this crate take it.
+
+use crate::feature_edges::feature_edges;
+use crate::shading_normals::{Groups, shading_normals};
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::id::PerEdge;
+use silhouette_core::{Cancelled, PreparedMesh, Progress, Topology, TriangleMesh};
+use std::sync::Arc;
+
+/// A mesh whose vertices have been split where feature edges give them several normals: *shading vertices*, one for each vertex
+/// and group. Without feature edges they are the vertices, in the same order.
+#[derive(Debug, Clone)]
+pub struct ShadingMesh {
+    mesh: Arc<TriangleMesh>,
+    topology: Arc<Topology>,
+    features: PerEdge<bool>,
+    groups: Groups,
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+}
+
+impl ShadingMesh {
+    /// Finds feature edges, those that the mesh was given among them, and shading normals. O(F).
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn new(
+        mesh: &PreparedMesh,
+        crease_deg: f64,
+        asker: &'static str,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
+        let topology = mesh.artefact::<Topology>(asker, progress)?;
+        let mesh = Arc::clone(mesh.mesh());
+        let features = feature_edges(&mesh, &topology, &[], crease_deg);
+        let groups = Groups::new(&mesh, &topology, &features);
+        let normals = shading_normals(&mesh, &groups);
+        let positions = groups.vertex.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+        Ok(Self { mesh, topology, features, groups, positions, normals })
+    }
+
+    /// The mesh itself.
+    pub fn mesh(&self) -> &Arc<TriangleMesh> {
+        &self.mesh
+    }
+
+    /// Its edges.
+    pub fn topology(&self) -> &Arc<Topology> {
+        &self.topology
+    }
+
+    /// Whether each edge is a feature edge.
+    pub fn features(&self) -> &PerEdge<bool> {
+        &self.features
+    }
+
+    /// The shading vertices of each face.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.groups.of_corner
+    }
+
+    /// Position of each shading vertex.
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// Unit normal of each shading vertex; 0 where no face with an area meets it.
+    pub fn normals(&self) -> &[Vec3] {
+        &self.normals
+    }
+
+    /// The vertex that each shading vertex belongs to, ascending.
+    pub fn vertices(&self) -> &[u32] {
+        &self.groups.vertex
+    }
+
+    /// Bytes held beside the mesh and its topology.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.features.as_slice())
+            + size_of_val(self.groups.of_corner.as_slice())
+            + size_of_val(self.groups.vertex.as_slice())
+            + size_of_val(self.positions.as_slice())
+            + size_of_val(self.normals.as_slice())
+    }
+}
+
+/// The unit normal of a triangle, on the side from which its corners run counter-clockwise. `None` without an area.
+pub fn face_normal(corners: [Vec3; 3]) -> Option<DVec3> {
+    let [a, b, c] = corners.map(Vec3::as_dvec3);
+    (b - a).cross(c - a).try_normalize()
+}

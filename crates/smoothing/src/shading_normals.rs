@@ -1,0 +1,154 @@
+//! Section III-B: a shading normal for each vertex, and several where feature edges separate groups of triangles.
+
+use crate::shading_mesh::face_normal;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::id::{FaceId, HalfEdgeId, PerEdge};
+use silhouette_core::{EdgeId, Topology, TriangleMesh};
+
+/// Corners of a mesh sorted into groups: the corners at one vertex that are joined by edges that are no feature edges.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Groups {
+    /// Group of each corner of each face.
+    pub of_corner: Vec<[u32; 3]>,
+    /// Vertex of each group. Groups are ordered by vertex, then by their first corner; a vertex of no face has one group.
+    pub vertex: Vec<u32>,
+}
+
+impl Groups {
+    /// Sorts corners into groups by union and find. O(F α(F)).
+    pub fn new(mesh: &TriangleMesh, topology: &Topology, features: &PerEdge<bool>) -> Self {
+        let mut sets = DisjointSets::new(topology.half_edge_count());
+        for edge in (0..topology.edge_count()).map(EdgeId::from_usize).filter(|&edge| !features[edge]) {
+            // Consistently wound: where one half-edge begins, the other ends.
+            if let &[a, b] = topology.half_edges(edge) {
+                sets.unite(a, b.next_in_face());
+                sets.unite(b, a.next_in_face());
+            }
+        }
+        let corner_at = |corner: usize| mesh.triangles()[corner / 3][corner % 3];
+        let mut roots: Vec<(u32, u32)> = (0..topology.half_edge_count())
+            .filter(|&corner| sets.find(corner as u32) == corner as u32)
+            .map(|corner| (corner_at(corner), corner as u32))
+            .collect();
+        let mut is_used = vec![false; mesh.vertex_count()];
+        roots.iter().for_each(|&(vertex, _)| is_used[vertex as usize] = true);
+        let unused = is_used.iter().enumerate().filter(|(_, used)| !**used);
+        roots.extend(unused.map(|(vertex, _)| (vertex as u32, u32::MAX)));
+        roots.sort_unstable();
+        let mut group_of_root = vec![0; topology.half_edge_count()];
+        for (group, &(_, root)) in roots.iter().enumerate() {
+            if root != u32::MAX {
+                group_of_root[root as usize] = group as u32;
+            }
+        }
+        let mut group = |corner: u32| group_of_root[sets.find(corner) as usize];
+        let of_corner =
+            (0..mesh.face_count() as u32).map(|face| [0, 1, 2].map(|slot| group(3 * face + slot))).collect();
+        Self { of_corner, vertex: roots.into_iter().map(|(vertex, _)| vertex).collect() }
+    }
+}
+
+/// Union and find over corners; the root of a set is its lowest corner.
+struct DisjointSets(Vec<u32>);
+
+impl DisjointSets {
+    fn new(corners: usize) -> Self {
+        Self((0..corners as u32).collect())
+    }
+
+    fn find(&mut self, corner: u32) -> u32 {
+        let mut at = corner;
+        while self.0[at as usize] != at {
+            let above = self.0[self.0[at as usize] as usize];
+            self.0[at as usize] = above;
+            at = above;
+        }
+        at
+    }
+
+    fn unite(&mut self, a: HalfEdgeId, b: HalfEdgeId) {
+        let (a, b) = (self.find(a.get()), self.find(b.get()));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+}
+
+/// The unit normal of each group: the average of its faces' normals, weighted by their angles at the vertex (Thürmer and
+/// Wüthrich 1998). Faces without area contribute nothing. Where the average vanishes, as over a fold, the normal of one of the
+/// group's faces takes its place; it is 0 if none has an area. O(F).
+pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups) -> Vec<Vec3> {
+    let mut sums = vec![DVec3::ZERO; groups.vertex.len()];
+    let mut any = vec![DVec3::ZERO; groups.vertex.len()];
+    for (face, corners) in groups.of_corner.iter().enumerate() {
+        let points = mesh.corners(FaceId::from_usize(face));
+        let Some(normal) = face_normal(points) else { continue };
+        let points = points.map(Vec3::as_dvec3);
+        for slot in 0..3 {
+            let (at, next, last) = (points[slot], points[(slot + 1) % 3], points[(slot + 2) % 3]);
+            let (a, b) = (next - at, last - at);
+            // An angle that is exact for needles too, where the arc cosine is not.
+            let angle = a.cross(b).length().atan2(a.dot(b));
+            let group = corners[slot] as usize;
+            sums[group] += angle * normal;
+            any[group] = normal;
+        }
+    }
+    let settled = sums.iter().zip(&any).map(|(sum, any)| if sum.length() > LEAST_SUM { sum.normalize() } else { *any });
+    settled.map(DVec3::as_vec3).collect()
+}
+
+/// A sum of angles times normals below this is cancellation.
+const LEAST_SUM: f64 = 1e-6;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::feature_edges::feature_edges;
+    use silhouette_core::shapes::{self, Cuboid};
+
+    fn groups_and_normals(mesh: &TriangleMesh, crease_deg: f64) -> (Groups, Vec<Vec3>) {
+        let topology = Topology::new(mesh);
+        let features = feature_edges(mesh, &topology, &[], crease_deg);
+        let groups = Groups::new(mesh, &topology, &features);
+        let normals = shading_normals(mesh, &groups);
+        (groups, normals)
+    }
+
+    #[test]
+    fn a_cube_has_three_normals_at_each_corner_each_a_face_normal() {
+        let cube = Cuboid::default().mesh().unwrap();
+        let (groups, normals) = groups_and_normals(&cube, 75.0);
+        assert_eq!(groups.vertex.len(), 24);
+        for (face, corners) in groups.of_corner.iter().enumerate() {
+            let expected = face_normal(cube.corners(FaceId::from_usize(face))).unwrap().as_vec3();
+            assert!(corners.iter().all(|&group| normals[group as usize].distance(expected) < 1e-6));
+        }
+        assert!(groups.vertex.is_sorted());
+    }
+
+    #[test]
+    fn without_features_groups_are_vertices_and_angles_make_normals_independent_of_the_triangulation() {
+        let cube = Cuboid::default().mesh().unwrap();
+        let (groups, normals) = groups_and_normals(&cube, 180.0);
+        assert_eq!(groups.vertex, (0..8).collect::<Vec<u32>>());
+        for (position, normal) in cube.positions().iter().zip(&normals) {
+            assert!(normal.distance(position.normalize()) < 1e-6);
+        }
+        let sphere = shapes::by_name("icosphere:2").unwrap();
+        let (_, normals) = groups_and_normals(&sphere, 75.0);
+        assert!(sphere.positions().iter().zip(&normals).all(|(p, n)| p.normalize().distance(*n) < 0.02));
+    }
+
+    #[test]
+    fn cancelled_fans_flat_faces_and_unused_vertices_have_finite_normals() {
+        let p = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE, Vec3::splat(9.0)];
+        // A fold: two faces on each other, their normals opposite, joined along all sides; and a face without area.
+        let mesh = TriangleMesh::new(p.to_vec(), vec![[0, 1, 2], [0, 2, 1], [3, 3, 0]]).unwrap();
+        let (groups, normals) = groups_and_normals(&mesh, 180.0);
+        assert!(groups.vertex.contains(&4), "a vertex of no face has a group");
+        for (&vertex, normal) in groups.vertex.iter().zip(&normals) {
+            let expected = if vertex < 3 && normal.length() > 0.0 { 1.0 } else { 0.0 };
+            assert!((normal.length() - expected).abs() < 1e-6);
+        }
+        assert!(normals.iter().any(|normal| normal.length() > 0.0));
+    }
+}
