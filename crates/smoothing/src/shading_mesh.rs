@@ -1,10 +1,11 @@
 //! [`ShadingMesh`]: a mesh with its feature edges and shading normals, as all methods of this crate take it.
 
 use crate::feature_edges::feature_edges;
-use crate::shading_normals::{Groups, shading_normals};
+use crate::shading_normals::{Groups, NormalWeights, shading_normals};
+use crate::view_mesh::Origin;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::id::PerEdge;
-use silhouette_core::{Cancelled, PreparedMesh, Progress, Topology, TriangleMesh};
+use silhouette_core::id::{HalfEdgeId, PerEdge};
+use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
 use std::sync::Arc;
 
 /// A mesh whose vertices have been split where feature edges give them several normals: *shading vertices*, one for each vertex
@@ -17,6 +18,8 @@ pub struct ShadingMesh {
     groups: Groups,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
+    origins: Vec<Origin>,
+    has_feature: Vec<bool>,
 }
 
 impl ShadingMesh {
@@ -27,6 +30,7 @@ impl ShadingMesh {
     pub fn new(
         mesh: &PreparedMesh,
         crease_deg: f64,
+        weights: NormalWeights,
         asker: &'static str,
         progress: &dyn Progress,
     ) -> Result<Self, Cancelled> {
@@ -34,9 +38,21 @@ impl ShadingMesh {
         let mesh = Arc::clone(mesh.mesh());
         let features = feature_edges(&mesh, &topology, &[], crease_deg);
         let groups = Groups::new(&mesh, &topology, &features);
-        let normals = shading_normals(&mesh, &groups);
+        let normals = shading_normals(&mesh, &groups, weights);
+        let mut origins = vec![Origin { face: FaceId::new(0), weights: [0.0; 3] }; groups.vertex.len()];
+        for (face, corners) in groups.of_corner.iter().enumerate().rev() {
+            for (slot, &corner) in corners.iter().enumerate() {
+                origins[corner as usize] =
+                    Origin { face: FaceId::from_usize(face), weights: Vec3::AXES[slot].to_array() };
+            }
+        }
+        let feature_on = |face: usize, slot: u32| {
+            let half_edge = HalfEdgeId::of(FaceId::from_usize(face), slot);
+            features[topology.edge_of(half_edge)]
+        };
+        let has_feature = (0..mesh.face_count()).map(|face| (0..3).any(|slot| feature_on(face, slot))).collect();
         let positions = groups.vertex.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
-        Ok(Self { mesh, topology, features, groups, positions, normals })
+        Ok(Self { mesh, topology, features, groups, positions, normals, origins, has_feature })
     }
 
     /// The mesh itself.
@@ -74,6 +90,16 @@ impl ShadingMesh {
         &self.groups.vertex
     }
 
+    /// Where each shading vertex lies: at a corner of its first face; without weights for a vertex of no face.
+    pub fn origins(&self) -> &[Origin] {
+        &self.origins
+    }
+
+    /// Whether a side of a face is a feature edge.
+    pub fn has_feature(&self, face: FaceId) -> bool {
+        self.has_feature[face.index()]
+    }
+
     /// Bytes held beside the mesh and its topology.
     pub fn bytes(&self) -> usize {
         size_of_val(self.features.as_slice())
@@ -81,6 +107,8 @@ impl ShadingMesh {
             + size_of_val(self.groups.vertex.as_slice())
             + size_of_val(self.positions.as_slice())
             + size_of_val(self.normals.as_slice())
+            + size_of_val(self.origins.as_slice())
+            + self.has_feature.len()
     }
 }
 

@@ -1,9 +1,24 @@
 //! Section III-B: a shading normal for each vertex, and several where feature edges separate groups of triangles.
+//!
+//! Departure: the paper weights faces by their angle at the vertex (Thürmer and Wüthrich 1998), whose normals are off by up to
+//! a degree or two where the vertices of a regular mesh lie on a sphere. The default is the weight of Max ("Weights for computing
+//! vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999), which is exact wherever a vertex and its
+//! neighbours lie on one sphere.
 
 use crate::shading_mesh::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::id::{FaceId, HalfEdgeId, PerEdge};
 use silhouette_core::{EdgeId, Topology, TriangleMesh};
+
+silhouette_core::option_choice! {
+    /// How much each face counts in the normal of a vertex.
+    pub enum NormalWeights {
+        /// The sine of its angle at the vertex over the lengths of its two sides there.
+        Sphere = "sphere",
+        /// Its angle at the vertex, as the paper has it.
+        Angle = "angle",
+    }
+}
 
 /// Corners of a mesh sorted into groups: the corners at one vertex that are joined by edges that are no feature edges.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -72,11 +87,11 @@ impl DisjointSets {
     }
 }
 
-/// The unit normal of each group: the average of its faces' normals, weighted by their angles at the vertex (Thürmer and
-/// Wüthrich 1998). Faces without area contribute nothing. Where the average vanishes, as over a fold, the normal of one of the
+/// The unit normal of each group: the weighted average of its faces' normals. Faces without area contribute nothing. Where the average vanishes, as over a fold, the normal of one of the
 /// group's faces takes its place; it is 0 if none has an area. O(F).
-pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups) -> Vec<Vec3> {
+pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups, weights: NormalWeights) -> Vec<Vec3> {
     let mut sums = vec![DVec3::ZERO; groups.vertex.len()];
+    let mut sizes = vec![0.0; groups.vertex.len()];
     let mut any = vec![DVec3::ZERO; groups.vertex.len()];
     for (face, corners) in groups.of_corner.iter().enumerate() {
         let points = mesh.corners(FaceId::from_usize(face));
@@ -85,19 +100,26 @@ pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups) -> Vec<Vec3> {
         for slot in 0..3 {
             let (at, next, last) = (points[slot], points[(slot + 1) % 3], points[(slot + 2) % 3]);
             let (a, b) = (next - at, last - at);
-            // An angle that is exact for needles too, where the arc cosine is not.
-            let angle = a.cross(b).length().atan2(a.dot(b));
+            let weight = match weights {
+                NormalWeights::Sphere => a.cross(b).length() / (a.length_squared() * b.length_squared()),
+                // An angle that is exact for needles too, where the arc cosine is not.
+                NormalWeights::Angle => a.cross(b).length().atan2(a.dot(b)),
+            };
             let group = corners[slot] as usize;
-            sums[group] += angle * normal;
+            sums[group] += weight * normal;
+            sizes[group] += weight;
             any[group] = normal;
         }
     }
-    let settled = sums.iter().zip(&any).map(|(sum, any)| if sum.length() > LEAST_SUM { sum.normalize() } else { *any });
-    settled.map(DVec3::as_vec3).collect()
+    let settled = |((sum, size), any): ((&DVec3, &f64), &DVec3)| {
+        let is_certain = sum.length() > LEAST_SHARE * size && sum.is_finite();
+        if is_certain { sum.normalize() } else { *any }
+    };
+    sums.iter().zip(&sizes).zip(&any).map(settled).map(|normal| normal.as_vec3()).collect()
 }
 
-/// A sum of angles times normals below this is cancellation.
-const LEAST_SUM: f64 = 1e-6;
+/// A sum below this share of its weights is cancellation.
+const LEAST_SHARE: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {
@@ -109,7 +131,7 @@ mod tests {
         let topology = Topology::new(mesh);
         let features = feature_edges(mesh, &topology, &[], crease_deg);
         let groups = Groups::new(mesh, &topology, &features);
-        let normals = shading_normals(mesh, &groups);
+        let normals = shading_normals(mesh, &groups, NormalWeights::Angle);
         (groups, normals)
     }
 

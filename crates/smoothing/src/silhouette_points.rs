@@ -150,10 +150,11 @@ mod tests {
 
     #[test]
     fn ties_pick_the_limit() {
-        assert_eq!(quadratic_root(0.0, -1.0, -1.0), 0.0);
-        assert_eq!(quadratic_root(0.0, 1.0, -1.0), 0.5);
-        assert_eq!(quadratic_root(-1.0, 0.0, 0.0), 1.0);
-        assert_eq!(quadratic_root(0.0, 0.0, -1.0), 0.0);
+        for ([a, b, c], expected) in
+            [([0.0, -1.0, -1.0], 0.0), ([0.0, 1.0, -1.0], 0.5), ([-1.0, 0.0, 0.0], 1.0), ([0.0, 0.0, -1.0], 0.0)]
+        {
+            assert!((quadratic_root(a, b, c) - expected).abs() < 1e-15, "{a} {b} {c}");
+        }
         assert!(
             (quadratic_root(1e-14, 1.0, -1.0) - 0.5).abs() < 1e-12,
             "the limit from the side where both signs differ"

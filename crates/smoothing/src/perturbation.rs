@@ -1,0 +1,202 @@
+//! Section III-E, local perturbation: vertices near concave silhouette segments are lowered until they hide none of them.
+//!
+//! The vertices of a silhouette triangle and those that an edge joins to it are its neighbours. A vertex moves along the average
+//! R of the normals of all planes that it neighbours.
+//!
+//! Departures:
+//!
+//! 1. The printed length is the largest of the distances to the planes along R, which leaves the vertex above all planes but
+//!    one and raises vertices that are below all of them. It has to be the least, and not above zero
+//!    ([`Perturbation::Lowered`]); the printed one stays available.
+//! 2. A plane that faces away from R cannot be reached along R and is left out.
+//! 3. No vertex moves farther than the shortest of its edges is long.
+//! 4. Silhouette points are found before vertices are moved.
+
+use crate::concavity::BlockingPlane;
+use crate::shading_mesh::ShadingMesh;
+use silhouette_core::FaceId;
+use silhouette_core::glam::DVec3;
+
+silhouette_core::option_choice! {
+    /// Whether and how far vertices near concave segments are moved.
+    pub enum Perturbation {
+        /// Below every plane that can be reached.
+        Lowered = "lowered",
+        /// Not at all.
+        Off = "off",
+        /// By the printed maximum, which raises vertices too.
+        AsPrinted = "as-printed",
+    }
+}
+
+/// Moves vertices near concave segments; what it knows of the mesh, and scratch memory.
+#[derive(Debug, Clone)]
+pub struct Perturber {
+    law: Perturbation,
+    /// Neighbours of vertex v: `neighbours[first[v]..first[v + 1]]`.
+    first: Vec<u32>,
+    neighbours: Vec<u32>,
+    /// Length of the shortest edge of each vertex.
+    reach: Vec<f32>,
+    planes: Vec<BlockingPlane>,
+    /// Which vertex neighbours which plane.
+    near: Vec<(u32, u32)>,
+    moved: Vec<(u32, DVec3)>,
+}
+
+impl Perturber {
+    /// Lists the neighbours of every vertex. O(E).
+    pub fn new(mesh: &ShadingMesh, law: Perturbation) -> Self {
+        let vertices = mesh.mesh().vertex_count();
+        let edges = || mesh.topology().edges().iter().map(|(_, &[a, b])| [a, b]).filter(|[a, b]| a != b);
+        let mut first = vec![0; vertices + 1];
+        let mut reach = vec![f32::INFINITY; vertices];
+        for [a, b] in edges() {
+            let [from, to] = [a, b].map(|vertex| mesh.mesh().positions()[vertex as usize]);
+            let length = from.as_dvec3().distance(to.as_dvec3()) as f32;
+            for vertex in [a, b].map(|vertex| vertex as usize) {
+                first[vertex + 1] += 1;
+                reach[vertex] = reach[vertex].min(length);
+            }
+        }
+        (0..vertices).for_each(|vertex| first[vertex + 1] += first[vertex]);
+        let mut neighbours = vec![0; first[vertices] as usize];
+        let mut next = first.clone();
+        for [a, b] in edges() {
+            for (at, other) in [(a, b), (b, a)] {
+                neighbours[next[at as usize] as usize] = other;
+                next[at as usize] += 1;
+            }
+        }
+        Self { law, first, neighbours, reach, planes: Vec::new(), near: Vec::new(), moved: Vec::new() }
+    }
+
+    /// Forgets all planes.
+    pub fn clear(&mut self) {
+        self.planes.clear();
+        self.near.clear();
+        self.moved.clear();
+    }
+
+    /// Notes that the neighbours of a face must stay below a plane.
+    pub fn push(&mut self, mesh: &ShadingMesh, face: FaceId, plane: BlockingPlane) {
+        let index = self.planes.len() as u32;
+        self.planes.push(plane);
+        let corners = mesh.mesh().triangles()[face.index()];
+        self.near.extend(corners.map(|corner| (corner, index)));
+        for corner in corners.map(|corner| corner as usize) {
+            let around = &self.neighbours[self.first[corner] as usize..self.first[corner + 1] as usize];
+            self.near.extend(around.iter().map(|&vertex| (vertex, index)));
+        }
+    }
+
+    /// Where vertices are moved to, ascending; those that stay are left out. O(P log P) for P pairs of a vertex and a plane.
+    pub fn moved(&mut self, mesh: &ShadingMesh) -> &[(u32, DVec3)] {
+        self.near.sort_unstable();
+        self.near.dedup();
+        self.moved.clear();
+        for near in self.near.chunk_by(|a, b| a.0 == b.0) {
+            let vertex = near[0].0;
+            let position = mesh.mesh().positions()[vertex as usize].as_dvec3();
+            let planes = || near.iter().map(|&(_, plane)| &self.planes[plane as usize]);
+            let Some(direction) = planes().map(|plane| plane.normal).sum::<DVec3>().try_normalize() else { continue };
+            let to_plane = |plane: &BlockingPlane| {
+                let slope = direction.dot(plane.normal);
+                (slope > 0.0).then(|| -(position - plane.middle).dot(plane.normal) / slope)
+            };
+            let lengths = planes().filter_map(to_plane);
+            let length = match self.law {
+                Perturbation::Off => 0.0,
+                Perturbation::Lowered => lengths.fold(0.0, f64::min),
+                Perturbation::AsPrinted => lengths.reduce(f64::max).unwrap_or(0.0),
+            };
+            let reach = f64::from(self.reach[vertex as usize]);
+            let length = length.clamp(-reach, reach);
+            if length != 0.0 && length.is_finite() {
+                self.moved.push((vertex, position + length * direction));
+            }
+        }
+        &self.moved
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.first.as_slice())
+            + size_of_val(self.neighbours.as_slice())
+            + size_of_val(self.reach.as_slice())
+            + size_of_val(self.near.as_slice())
+            + size_of_val(self.planes.as_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shading_normals::NormalWeights;
+    use silhouette_core::glam::Vec3;
+    use silhouette_core::{NoProgress, PreparedMesh, shapes};
+    use silhouette_testing::directions::spread;
+
+    fn mesh() -> ShadingMesh {
+        ShadingMesh::new(
+            &PreparedMesh::new(shapes::by_name("icosphere:1").unwrap()),
+            75.0,
+            NormalWeights::Sphere,
+            "test",
+            &NoProgress,
+        )
+        .unwrap()
+    }
+
+    /// Planes that touch the sphere of radius `at` in some directions near a vertex, and the vertex's place after perturbation.
+    fn perturbed(law: Perturbation, at: f64, count: usize) -> (DVec3, Vec<BlockingPlane>, DVec3) {
+        let mesh = mesh();
+        let mut perturber = Perturber::new(&mesh, law);
+        let vertex = mesh.mesh().triangles()[0][0];
+        let position = mesh.mesh().positions()[vertex as usize].as_dvec3();
+        let planes: Vec<_> = spread(count)
+            .map(|off| {
+                let normal = (position + 0.3 * off).normalize();
+                BlockingPlane { middle: at * normal, normal }
+            })
+            .collect();
+        planes.iter().for_each(|&plane| perturber.push(&mesh, FaceId::new(0), plane));
+        let moved = perturber.moved(&mesh).iter().find(|(at, _)| *at == vertex).map_or(position, |(_, to)| *to);
+        (position, planes, moved)
+    }
+
+    #[test]
+    fn vertices_end_below_every_plane_and_by_the_printed_maximum_they_do_not() {
+        let is_below = |planes: &[BlockingPlane], point: DVec3| {
+            planes.iter().all(|plane| (point - plane.middle).dot(plane.normal) <= 1e-12)
+        };
+        let (from, planes, to) = perturbed(Perturbation::Lowered, 0.9, 7);
+        assert!(!is_below(&planes, from) && is_below(&planes, to));
+        let (_, planes, to) = perturbed(Perturbation::AsPrinted, 0.9, 7);
+        assert!(!is_below(&planes, to));
+    }
+
+    #[test]
+    fn a_vertex_below_all_planes_stays_and_by_the_printed_maximum_it_is_raised() {
+        let (from, _, to) = perturbed(Perturbation::Lowered, 1.1, 5);
+        assert_eq!(from, to);
+        let (from, _, to) = perturbed(Perturbation::AsPrinted, 1.1, 5);
+        assert!(to.length() > from.length() + 0.05);
+        let (from, _, to) = perturbed(Perturbation::Off, 0.5, 5);
+        assert_eq!(from, to);
+    }
+
+    #[test]
+    fn no_vertex_moves_farther_than_its_shortest_edge() {
+        let mesh = mesh();
+        let mut perturber = Perturber::new(&mesh, Perturbation::Lowered);
+        let far = BlockingPlane { middle: DVec3::splat(-50.0), normal: DVec3::X };
+        perturber.push(&mesh, FaceId::new(3), far);
+        let moved = perturber.moved(&mesh);
+        assert!(moved.len() > 6, "a face and what its edges lead to");
+        for &(vertex, to) in moved {
+            let from: Vec3 = mesh.mesh().positions()[vertex as usize];
+            assert!(from.as_dvec3().distance(to) < 0.65, "edges of this mesh are up to 0.62 long");
+        }
+    }
+}

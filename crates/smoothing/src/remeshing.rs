@@ -1,0 +1,291 @@
+//! Section III-E, local re-meshing (Figs. 11 and 12): triangles are replaced around silhouette and feature segments.
+//!
+//! | face | becomes |
+//! |---|---|
+//! | neither | itself |
+//! | silhouette triangle | a fan from its lone corner to the samples of the segment, and beyond them a strip to its other side |
+//! | one feature segment | a fan from the opposite corner to the samples of the feature segment |
+//! | two or three feature segments | a fan from the middle of the face |
+//! | silhouette triangle with feature segments | its two parts, each a fan from its middle where feature samples bend its sides |
+//!
+//! All faces at a side share its points, so that a closed mesh stays closed for whatever signs its vertices have.
+//!
+//! Departure: the paper triangulates the visible part of a silhouette triangle. Here the invisible part is kept too: it closes
+//! the mesh, and no crack can open where signs of vertices and the image disagree.
+
+use crate::feature_samples::FeatureSamples;
+use crate::feature_segments::FeatureSegments;
+use crate::shading_mesh::ShadingMesh;
+use crate::silhouette_segments::{SilhouetteSegment, SilhouetteSegments};
+use crate::silhouette_triangles::SilhouetteTriangle;
+use crate::view_mesh::{Origin, ViewMesh};
+use silhouette_core::FaceId;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::id::HalfEdgeId;
+
+/// What re-meshing reads of a view.
+pub struct Curves<'a> {
+    /// The mesh.
+    pub mesh: &'a ShadingMesh,
+    /// Its feature segments.
+    pub features: &'a FeatureSegments,
+    /// How they are sampled in the view.
+    pub samples: &'a FeatureSamples,
+    /// Silhouette points and segments of the view.
+    pub silhouette: &'a SilhouetteSegments,
+    /// Number of straight pieces of each silhouette segment.
+    pub counts: &'a [u32],
+}
+
+/// Re-meshes view after view; scratch memory.
+#[derive(Debug, Clone, Default)]
+pub struct LocalRemeshing {
+    /// Vertex of each silhouette point that lies on no feature edge, or [`NONE`].
+    vertex_of_point: Vec<u32>,
+    sides: [Side; 3],
+    /// Samples of the silhouette segment, both ends included.
+    chain: Vec<u32>,
+    polygon: Vec<u32>,
+}
+
+const NONE: u32 = u32::MAX;
+
+/// The bends of one side of a face, in the direction of its half-edge.
+#[derive(Debug, Clone, Default)]
+struct Side {
+    /// Vertices strictly inside.
+    vertices: Vec<u32>,
+    /// Which of them is the face's silhouette point.
+    silhouette_at: usize,
+}
+
+impl Side {
+    /// The bends from the silhouette point on, beginning with it.
+    fn after_silhouette(&self) -> &[u32] {
+        &self.vertices[self.silhouette_at..]
+    }
+
+    /// The bends up to the silhouette point, which is the last.
+    fn before_silhouette(&self) -> &[u32] {
+        &self.vertices[..=self.silhouette_at]
+    }
+}
+
+impl LocalRemeshing {
+    /// Replaces `out` by the triangles of a view. The first vertices are the shading vertices, in their order. O(F + samples).
+    pub fn remesh(&mut self, curves: &Curves<'_>, out: &mut ViewMesh) {
+        let mesh = curves.mesh;
+        out.clear();
+        out.positions.extend_from_slice(mesh.positions());
+        out.normals.extend_from_slice(mesh.normals());
+        out.origins.extend_from_slice(mesh.origins());
+        self.vertex_of_point.clear();
+        self.vertex_of_point.resize(curves.silhouette.points().len(), NONE);
+        let mut segments = curves.silhouette.segments().iter().zip(curves.counts).peekable();
+        for (index, &corners) in mesh.triangles().iter().enumerate() {
+            let face = FaceId::from_usize(index);
+            if let Some((segment, &count)) = segments.next_if(|(segment, _)| segment.triangle.face == face) {
+                self.silhouette_triangle(curves, segment, count, out);
+            } else if mesh.has_feature(face) {
+                self.feature_triangle(curves, face, out);
+            } else {
+                out.triangles.push(corners);
+            }
+        }
+    }
+
+    /// A face with feature segments that no silhouette runs through.
+    fn feature_triangle(&mut self, curves: &Curves<'_>, face: FaceId, out: &mut ViewMesh) {
+        for slot in 0..3 {
+            self.bend_side(curves, HalfEdgeId::of(face, slot), None, out);
+        }
+        let corners = curves.mesh.triangles()[face.index()];
+        self.polygon.clear();
+        for (corner, side) in corners.iter().zip(&self.sides) {
+            self.polygon.push(*corner);
+            self.polygon.extend_from_slice(&side.vertices);
+        }
+        match [0, 1, 2].map(|slot| !self.sides[slot].vertices.is_empty()) {
+            [false, false, false] => out.push_triangle(corners),
+            // One side is bent: the corner opposite to it sees all of it.
+            [true, false, false] => fan(corners[2], &self.polygon, out),
+            [false, true, false] => fan(corners[0], &self.polygon, out),
+            [false, false, true] => fan(corners[1], &self.polygon, out),
+            _ => {
+                let middle = push_middle(face, &[0, 1, 2].map(|slot| (corners[slot], Vec3::AXES[slot])), out);
+                fan(middle, &self.polygon, out);
+            }
+        }
+    }
+
+    /// A face that the silhouette divides into the part of its lone corner and the part of the pair.
+    fn silhouette_triangle(
+        &mut self,
+        curves: &Curves<'_>,
+        segment: &SilhouetteSegment,
+        count: u32,
+        out: &mut ViewMesh,
+    ) {
+        let triangle = segment.triangle;
+        let slots = [0, 1, 2].map(|i| ((triangle.lone + i) % 3) as usize);
+        let corners = curves.mesh.triangles()[triangle.face.index()];
+        let [lone, next, previous] = slots.map(|slot| corners[slot]);
+        let points = [Some(segment.points[0]), None, Some(segment.points[1])];
+        for (slot, point) in slots.into_iter().zip(points) {
+            self.bend_side(curves, HalfEdgeId::of(triangle.face, slot as u32), point, out);
+        }
+        let sides = [slots[0], slots[2]].map(|slot| HalfEdgeId::of(triangle.face, slot as u32));
+        let parameters = segment.points.map(|point| curves.silhouette.points()[point as usize].u);
+        let weights = [0, 1].map(|i| side_weights(curves.mesh, sides[i], parameters[i]));
+        self.sample_segment(curves, segment, count, weights, out);
+        let ends = [0, 1].map(|i| (if i == 0 { self.chain[0] } else { self.chain[self.chain.len() - 1] }, weights[i]));
+        let corner = |i: usize| (corners[slots[i]], Vec3::AXES[slots[i]]);
+        let [leaving, opposite, returning] = slots.map(|slot| &self.sides[slot]);
+        let (chain, polygon) = (&self.chain, &mut self.polygon);
+
+        if leaving.silhouette_at == 0 && returning.after_silhouette().len() == 1 {
+            chain.windows(2).for_each(|pair| out.push_triangle([lone, pair[0], pair[1]]));
+        } else {
+            polygon.clear();
+            polygon.push(lone);
+            polygon.extend_from_slice(leaving.before_silhouette());
+            polygon.extend_from_slice(&chain[1..chain.len() - 1]);
+            polygon.extend_from_slice(returning.after_silhouette());
+            fan(push_middle(triangle.face, &[corner(0), ends[0], ends[1]], out), polygon, out);
+        }
+
+        let is_straight = leaving.after_silhouette().len() == 1 && opposite.vertices.is_empty();
+        if is_straight && returning.silhouette_at == 0 {
+            let half = chain.len() / 2;
+            chain[..=half].windows(2).for_each(|pair| out.push_triangle([next, pair[1], pair[0]]));
+            out.push_triangle([next, previous, chain[half]]);
+            chain[half..].windows(2).for_each(|pair| out.push_triangle([previous, pair[1], pair[0]]));
+        } else {
+            polygon.clear();
+            polygon.extend_from_slice(leaving.after_silhouette());
+            polygon.push(next);
+            polygon.extend_from_slice(&opposite.vertices);
+            polygon.push(previous);
+            polygon.extend_from_slice(returning.before_silhouette());
+            polygon.extend(chain[1..chain.len() - 1].iter().rev());
+            fan(push_middle(triangle.face, &[ends[0], corner(1), corner(2), ends[1]], out), polygon, out);
+        }
+    }
+
+    /// Finds the vertices inside a side, given the index of the silhouette point on it, if there is one.
+    fn bend_side(&mut self, curves: &Curves<'_>, half_edge: HalfEdgeId, point: Option<u32>, out: &mut ViewMesh) {
+        let mesh = curves.mesh;
+        let slots = [half_edge.slot(), half_edge.next_in_face().slot()].map(|slot| slot as usize);
+        let corners = slots.map(|slot| mesh.triangles()[half_edge.face().index()][slot]);
+        let side = &mut self.sides[slots[0]];
+        side.vertices.clear();
+        side.silhouette_at = 0;
+        let is_forward = runs_forward(mesh, half_edge);
+        let share = |u: f64| if is_forward { u } else { 1.0 - u };
+        let normals = corners.map(|corner| mesh.normals()[corner as usize].as_dvec3());
+        let on_side = |u: f64| Origin { face: half_edge.face(), weights: side_weights(mesh, half_edge, u).to_array() };
+        let Some(feature) = curves.features.index_of(mesh.topology().edge_of(half_edge)) else {
+            if let Some(index) = point {
+                let known = &mut self.vertex_of_point[index as usize];
+                if *known == NONE {
+                    let point = &curves.silhouette.points()[index as usize];
+                    *known = match share(point.u) {
+                        0.0 => corners[0],
+                        1.0 => corners[1],
+                        _ => out.push_vertex(point.position, point.normal, on_side(point.u)),
+                    };
+                }
+                side.vertices.push(*known);
+            }
+            return;
+        };
+        let point = point.map(|index| &curves.silhouette.points()[index as usize]);
+        let push = |side: &mut Side, u: f64, position: DVec3, out: &mut ViewMesh| {
+            let is_point = point.is_some_and(|point| point.u.total_cmp(&u).is_eq());
+            let normal = match point {
+                Some(point) if is_point => point.normal,
+                _ => normals[0].lerp(normals[1], share(u)),
+            };
+            if is_point {
+                side.silhouette_at = side.vertices.len();
+            }
+            side.vertices.push(out.push_vertex(position, normal, on_side(u)));
+        };
+        // A silhouette point at an end of the side is that corner.
+        let [is_first, is_last] = [point.is_some_and(|p| share(p.u) <= 0.0), point.is_some_and(|p| share(p.u) >= 1.0)];
+        if is_first {
+            side.vertices.push(corners[0]);
+        }
+        let samples = curves.samples.of(feature);
+        if is_forward {
+            samples.iter().for_each(|sample| push(side, sample.u, sample.position, out));
+        } else {
+            samples.iter().rev().for_each(|sample| push(side, sample.u, sample.position, out));
+        }
+        if is_last {
+            side.silhouette_at = side.vertices.len();
+            side.vertices.push(corners[1]);
+        }
+    }
+
+    /// The vertices of a silhouette segment, from its first point to its second, whose barycentric coordinates are `weights`.
+    fn sample_segment(
+        &mut self,
+        curves: &Curves<'_>,
+        segment: &SilhouetteSegment,
+        count: u32,
+        weights: [Vec3; 2],
+        out: &mut ViewMesh,
+    ) {
+        let SilhouetteTriangle { face, lone, .. } = segment.triangle;
+        let ends = [lone, (lone + 2) % 3].map(|slot| self.sides[slot as usize].after_silhouette()[0]);
+        let [a, b] = segment.points.map(|point| &curves.silhouette.points()[point as usize]);
+        self.chain.clear();
+        self.chain.push(ends[0]);
+        for i in 1..count {
+            let t = f64::from(i) / f64::from(count);
+            let origin = Origin { face, weights: weights[0].lerp(weights[1], t as f32).to_array() };
+            self.chain.push(out.push_vertex(segment.curve.point(t), a.normal.lerp(b.normal, t), origin));
+        }
+        self.chain.push(ends[1]);
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let sides: usize = self.sides.iter().map(|side| size_of_val(side.vertices.as_slice())).sum();
+        sides
+            + size_of_val(self.vertex_of_point.as_slice())
+            + size_of_val(self.chain.as_slice())
+            + size_of_val(self.polygon.as_slice())
+    }
+}
+
+/// Triangles from one vertex of a polygon to the sides that do not touch it.
+fn fan(from: u32, polygon: &[u32], out: &mut ViewMesh) {
+    for (i, &vertex) in polygon.iter().enumerate() {
+        let next = polygon[(i + 1) % polygon.len()];
+        out.push_triangle([from, vertex, next]);
+    }
+}
+
+/// Appends the middle of some vertices of a face, given their barycentric coordinates there.
+fn push_middle(face: FaceId, vertices: &[(u32, Vec3)], out: &mut ViewMesh) -> u32 {
+    let count = vertices.len() as f64;
+    let position = vertices.iter().map(|&(vertex, _)| out.positions[vertex as usize].as_dvec3()).sum::<DVec3>() / count;
+    let normal = vertices.iter().map(|&(vertex, _)| out.normals[vertex as usize].as_dvec3()).sum::<DVec3>();
+    let weights = vertices.iter().map(|&(_, weights)| weights).sum::<Vec3>() / count as f32;
+    out.push_vertex(position, normal, Origin { face, weights: weights.to_array() })
+}
+
+/// Whether a half-edge runs from the lower vertex of its edge to the higher, as parameters of points on it do.
+fn runs_forward(mesh: &ShadingMesh, half_edge: HalfEdgeId) -> bool {
+    let corners = mesh.mesh().triangles()[half_edge.face().index()];
+    corners[half_edge.slot() as usize] <= corners[half_edge.next_in_face().slot() as usize]
+}
+
+/// Barycentric coordinates, in the face of a half-edge, of the point on it with a parameter from the lower vertex to the higher.
+fn side_weights(mesh: &ShadingMesh, half_edge: HalfEdgeId, u: f64) -> Vec3 {
+    let share = if runs_forward(mesh, half_edge) { u } else { 1.0 - u } as f32;
+    let [from, to] = [half_edge.slot(), half_edge.next_in_face().slot()].map(|slot| Vec3::AXES[slot as usize]);
+    from * (1.0 - share) + to * share
+}

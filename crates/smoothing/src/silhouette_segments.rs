@@ -1,0 +1,123 @@
+//! Section III-D, second half: the silhouette points of a view, and in each silhouette triangle the Hermite curve between its
+//! two points, the *silhouette segment*, by the recipe of bridges.
+//!
+//! A side that two faces of one group share has one bridge and one point, found once. On a feature edge the bridge is the
+//! feature segment, and each face finds a point of its own with its own group's normals.
+
+use crate::bridges::bridge;
+use crate::eye::Eye;
+use crate::feature_segments::FeatureSegments;
+use crate::hermite::Hermite;
+use crate::shading_mesh::ShadingMesh;
+use crate::silhouette_points::{SilhouettePoint, silhouette_point, silhouette_point_on};
+use crate::silhouette_triangles::SilhouetteTriangle;
+use silhouette_core::id::HalfEdgeId;
+use silhouette_core::topology::Twin;
+
+/// The silhouette's curve through a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SilhouetteSegment {
+    /// The face, and its lone corner.
+    pub triangle: SilhouetteTriangle,
+    /// Indices of its silhouette points: on the side that leaves the lone corner, and on the one that returns to it.
+    pub points: [u32; 2],
+    /// From the first point to the second: the lone corner lies on the left, seen from outside.
+    pub curve: Hermite,
+}
+
+/// The silhouette points and segments of one view.
+#[derive(Debug, Clone, Default)]
+pub struct SilhouetteSegments {
+    points: Vec<SilhouettePoint>,
+    /// The point on each half-edge; valid for those that join a visible and an invisible vertex in this view.
+    of_half_edge: Vec<u32>,
+    segments: Vec<SilhouetteSegment>,
+}
+
+impl SilhouetteSegments {
+    /// Finds points and segments of the silhouette triangles of a view, which are ascending. O(silhouette triangles).
+    pub fn find(
+        &mut self,
+        mesh: &ShadingMesh,
+        features: &FeatureSegments,
+        triangles: &[SilhouetteTriangle],
+        eye: Eye,
+        newton_steps: u32,
+    ) {
+        self.points.clear();
+        self.segments.clear();
+        self.of_half_edge.resize(mesh.topology().half_edge_count(), 0);
+        for &triangle in triangles {
+            let sides = [triangle.lone, (triangle.lone + 2) % 3];
+            let points = sides.map(|slot| {
+                let half_edge = HalfEdgeId::of(triangle.face, slot);
+                self.point_on(mesh, features, half_edge, eye, newton_steps)
+            });
+            let [a, b] = points.map(|point| &self.points[point as usize]);
+            let curve = bridge([a.position, b.position], [a.normal, b.normal]);
+            self.segments.push(SilhouetteSegment { triangle, points, curve });
+        }
+    }
+
+    fn point_on(
+        &mut self,
+        mesh: &ShadingMesh,
+        features: &FeatureSegments,
+        half_edge: HalfEdgeId,
+        eye: Eye,
+        newton_steps: u32,
+    ) -> u32 {
+        let edge = mesh.topology().edge_of(half_edge);
+        let feature = features.index_of(edge);
+        if let (None, Twin::HalfEdge(twin)) = (feature, mesh.topology().twin(half_edge))
+            && twin.face() < half_edge.face()
+        {
+            // The neighbour, whose corners on this side are the same shading vertices, came first.
+            let point = self.of_half_edge[twin.index()];
+            self.of_half_edge[half_edge.index()] = point;
+            return point;
+        }
+        let corners = mesh.triangles()[half_edge.face().index()];
+        let (mut from, mut to) =
+            (corners[half_edge.slot() as usize], corners[half_edge.next_in_face().slot() as usize]);
+        if mesh.vertices()[from as usize] > mesh.vertices()[to as usize] {
+            (from, to) = (to, from);
+        }
+        let positions = [from, to].map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
+        let normals = [from, to].map(|vertex| mesh.normals()[vertex as usize].as_dvec3());
+        let found = match feature {
+            Some(index) => {
+                let segment = &features.segments()[index];
+                silhouette_point(positions, normals, |u| segment.point(u), eye, newton_steps)
+            }
+            None => silhouette_point_on(&bridge(positions, normals), normals, eye, newton_steps),
+        };
+        let point = self.points.len() as u32;
+        self.points.push(found);
+        self.of_half_edge[half_edge.index()] = point;
+        point
+    }
+
+    /// The silhouette points. Parameters run from the lower vertex of an edge to the higher.
+    pub fn points(&self) -> &[SilhouettePoint] {
+        &self.points
+    }
+
+    /// The segments, one for each silhouette triangle, in their order.
+    pub fn segments(&self) -> &[SilhouetteSegment] {
+        &self.segments
+    }
+
+    /// Index of the point on a half-edge that joins a visible and an invisible vertex in this view; any other yields a number
+    /// without meaning.
+    pub fn point_index(&self, half_edge: HalfEdgeId) -> u32 {
+        self.of_half_edge[half_edge.index()]
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.points.as_slice())
+            + size_of_val(self.of_half_edge.as_slice())
+            + size_of_val(self.segments.as_slice())
+    }
+}

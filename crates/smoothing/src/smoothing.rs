@@ -1,0 +1,209 @@
+//! [`Smoothing`]: the whole method on the CPU.
+
+use crate::concavity::{blocking_plane, is_concave};
+use crate::curves::CurveWalker;
+use crate::eye::{Eye, SmoothingView};
+use crate::feature_polylines::{FeaturePolyline, feature_polylines};
+use crate::feature_samples::FeatureSamples;
+use crate::feature_segments::FeatureSegments;
+use crate::options::SmoothingOptions;
+use crate::perturbation::{Perturbation, Perturber};
+use crate::remeshing::{Curves, LocalRemeshing};
+use crate::sampling::segments;
+use crate::shading_mesh::ShadingMesh;
+use crate::silhouette_segments::SilhouetteSegments;
+use crate::silhouette_triangles::{SilhouetteTriangle, silhouette_triangles};
+use crate::vertex_visibility::VertexVisibility;
+use crate::view_mesh::{Remesher, ViewMesh};
+use silhouette_core::method::{ExtractionStats, PrepareError, Source};
+use silhouette_core::prepared::Artefact;
+use silhouette_core::{
+    ExtractsCurves, Method, MethodInfo, MethodOptions, PreparedMesh, Progress, SilhouetteCurves, Topology, Viewpoint,
+};
+use std::sync::Arc;
+
+/// Silhouettes of a coarse mesh as smooth curves, and the mesh re-meshed around them. See the [crate](crate).
+///
+/// O(V + F) per view for classification and output, O(S) for curves, S being the number of silhouette triangles.
+#[derive(Debug, Clone)]
+pub struct Smoothing {
+    fixed: Arc<Fixed>,
+    visibility: VertexVisibility,
+    triangles: Vec<SilhouetteTriangle>,
+    silhouette: SilhouetteSegments,
+    samples: FeatureSamples,
+    counts: Vec<u32>,
+    remeshing: LocalRemeshing,
+    perturber: Perturber,
+    walker: CurveWalker,
+}
+
+/// What does not depend on the view.
+#[derive(Debug)]
+struct Fixed {
+    options: SmoothingOptions,
+    mesh: ShadingMesh,
+    polylines: Vec<FeaturePolyline>,
+    features: FeatureSegments,
+}
+
+impl Method for Smoothing {
+    type Options = SmoothingOptions;
+
+    const INFO: MethodInfo = MethodInfo {
+        name: "smoothing",
+        summary: "Hermite curves through the triangles that the silhouette crosses, and the mesh re-meshed around them.",
+        source: Source {
+            authors: "Lu Wang, Changhe Tu, Wenping Wang, Xiangxu Meng, Bin Chan, Dongming Yan",
+            title: "Silhouette Smoothing for Real-time Rendering of Mesh Surfaces",
+            venue: "IEEE Transactions on Visualization and Computer Graphics 14(3)",
+            year: 2008,
+        },
+        exact: false,
+        needs: &[Topology::NAME],
+        options: SmoothingOptions::SPECS,
+    };
+
+    fn prepare(
+        mesh: &Arc<PreparedMesh>,
+        options: &SmoothingOptions,
+        progress: &dyn Progress,
+    ) -> Result<Self, PrepareError> {
+        options.validate()?;
+        let mesh = ShadingMesh::new(mesh, options.crease_deg, options.normals, Self::INFO.name, progress)?;
+        let polylines = feature_polylines(mesh.mesh(), mesh.topology(), mesh.features(), options.corner_deg);
+        let features =
+            FeatureSegments::new(mesh.mesh(), mesh.topology(), mesh.features(), &polylines, options.tangents);
+        Ok(Self {
+            visibility: VertexVisibility::new(&mesh, options.cells),
+            triangles: Vec::new(),
+            silhouette: SilhouetteSegments::default(),
+            samples: FeatureSamples::default(),
+            counts: Vec::new(),
+            remeshing: LocalRemeshing::default(),
+            perturber: Perturber::new(&mesh, options.perturbation),
+            walker: CurveWalker::default(),
+            fixed: Arc::new(Fixed { options: *options, mesh, polylines, features }),
+        })
+    }
+
+    fn bytes(&self) -> usize {
+        self.fixed.mesh.bytes()
+            + self.fixed.features.bytes()
+            + self.visibility.bytes()
+            + self.silhouette.bytes()
+            + self.samples.bytes()
+            + self.remeshing.bytes()
+            + self.perturber.bytes()
+            + size_of_val(self.triangles.as_slice())
+            + size_of_val(self.counts.as_slice())
+    }
+}
+
+impl Smoothing {
+    /// Its options.
+    pub fn options(&self) -> &SmoothingOptions {
+        &self.fixed.options
+    }
+
+    /// The mesh with its shading normals.
+    pub fn shading_mesh(&self) -> &ShadingMesh {
+        &self.fixed.mesh
+    }
+
+    /// The smoothed feature edges.
+    pub fn features(&self) -> &FeatureSegments {
+        &self.fixed.features
+    }
+
+    /// Steps 2 to 4: silhouette triangles, silhouette points and segments of a view. Yields what was looked at; the results are
+    /// read by [`silhouette`](Self::silhouette).
+    pub fn find_silhouette(&mut self, eye: Eye) -> ExtractionStats {
+        let Fixed { options, mesh, features, .. } = &*self.fixed;
+        let tested = self.visibility.classify(mesh, eye);
+        silhouette_triangles(mesh.triangles(), self.visibility.is_visible(), &mut self.triangles);
+        self.silhouette.find(mesh, features, &self.triangles, eye, options.newton_steps);
+        ExtractionStats {
+            faces_tested: mesh.triangles().len() as u64,
+            edges_tested: self.silhouette.points().len() as u64,
+            nodes_visited: tested.cells,
+            exact_fallbacks: 0,
+        }
+    }
+
+    /// The silhouette of the view last found.
+    pub fn silhouette(&self) -> &SilhouetteSegments {
+        &self.silhouette
+    }
+
+    /// Step 5, first half: how finely the curves of the view last found are sampled.
+    pub fn sample(&mut self, view: &SmoothingView) {
+        let Fixed { options, mesh, features, .. } = &*self.fixed;
+        self.counts.clear();
+        for segment in self.silhouette.segments() {
+            let normals = segment.points.map(|point| self.silhouette.points()[point as usize].normal);
+            self.counts.push(segments(&segment.curve, normals, view, options.tolerance_px, options.sampling));
+        }
+        let is_visible = self.visibility.is_visible();
+        self.samples.find(mesh, features, &self.silhouette, is_visible, view, options.tolerance_px);
+    }
+
+    /// Step 5, second half: replaces `out` by the triangles of the view last sampled.
+    pub fn local_remeshing(&mut self, out: &mut ViewMesh) {
+        let Fixed { mesh, features, .. } = &*self.fixed;
+        let curves =
+            Curves { mesh, features, samples: &self.samples, silhouette: &self.silhouette, counts: &self.counts };
+        self.remeshing.remesh(&curves, out);
+    }
+
+    /// Moves the vertices of `out` that would hide concave silhouette segments. Yields how many segments are concave.
+    pub fn perturb(&mut self, eye: Eye, out: &mut ViewMesh) -> usize {
+        let Fixed { options, mesh, .. } = &*self.fixed;
+        if options.perturbation == Perturbation::Off {
+            return 0;
+        }
+        self.perturber.clear();
+        let mut concave = 0;
+        for segment in self.silhouette.segments() {
+            let ends = segment.points.map(|point| &self.silhouette.points()[point as usize]);
+            if is_concave(ends)
+                && let Some(plane) = blocking_plane(segment, ends, eye)
+            {
+                self.perturber.push(mesh, segment.triangle.face, plane);
+                concave += 1;
+            }
+        }
+        // Shading vertices are sorted by vertex, as are the moves.
+        let mut at = 0;
+        for &(vertex, to) in self.perturber.moved(mesh) {
+            at += mesh.vertices()[at..].partition_point(|&other| other < vertex);
+            while mesh.vertices().get(at) == Some(&vertex) {
+                out.positions[at] = to.as_vec3();
+                at += 1;
+            }
+        }
+        concave
+    }
+}
+
+impl Remesher for Smoothing {
+    fn remesh(&mut self, view: &SmoothingView, out: &mut ViewMesh) -> bool {
+        self.find_silhouette(view.eye());
+        self.sample(view);
+        self.local_remeshing(out);
+        self.perturb(view.eye(), out);
+        true
+    }
+}
+
+impl ExtractsCurves for Smoothing {
+    fn extract_curves(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteCurves) -> ExtractionStats {
+        let eye = Eye::from(*viewpoint);
+        let stats = self.find_silhouette(eye);
+        let Fixed { mesh, features, polylines, .. } = &*self.fixed;
+        out.clear();
+        self.walker.silhouette(mesh, &self.silhouette, out);
+        self.walker.features(mesh, features, polylines, &self.silhouette, self.visibility.is_visible(), out);
+        stats
+    }
+}
