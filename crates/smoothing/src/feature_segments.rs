@@ -42,6 +42,15 @@ impl FeatureSegment {
         }
     }
 
+    /// The derivative by the parameter.
+    pub fn derivative(&self, u: f64) -> DVec3 {
+        match &self.second {
+            Some(second) if u > 0.5 => 2.0 * second.derivative(2.0 * u - 1.0),
+            Some(_) => 2.0 * self.first.derivative(2.0 * u),
+            None => self.first.derivative(u),
+        }
+    }
+
     /// Its cubics in order.
     pub fn curves(&self) -> impl ExactSizeIterator<Item = &Hermite> {
         let both = [Some(&self.first), self.second.as_ref()];

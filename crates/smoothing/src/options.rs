@@ -7,6 +7,7 @@ use crate::feature_segments::Tangents;
 use crate::perturbation::Perturbation;
 use crate::sampling::Sampling;
 use crate::shading_normals::NormalWeights;
+use crate::silhouette_segments::SegmentLaw;
 use crate::vertex_visibility::Cells;
 
 silhouette_core::method_options! {
@@ -15,7 +16,9 @@ silhouette_core::method_options! {
         /// How far the polyline that a curve is drawn as may stray from it.
         pub tolerance_px: f64 = number("tolerance", 0.01..=64.0 "px", default 1.0),
         /// Steps of Newton's method on the true equation of silhouette points, seen in perspective; 0 leaves the paper's approximation.
-        pub newton_steps: u32 = whole("newton", 0..=8, default 0),
+        pub newton_steps: u32 = whole("newton", 0..=8, default 3),
+        /// How a silhouette segment is interpolated between its two points.
+        pub segments: SegmentLaw = choice("segments"),
         /// Dihedral angle from which on an edge is a feature edge; 180 leaves those that the mesh came with.
         pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
         /// Turn from which on a feature polyline ends at a vertex; 180 lets it run around all corners.

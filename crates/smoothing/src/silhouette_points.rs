@@ -10,8 +10,38 @@
 //! 3. Where the interpolated normal vanishes, the direction across the chord in the plane of the view takes its place.
 
 use crate::eye::Eye;
+use crate::feature_segments::FeatureSegment;
 use crate::hermite::Hermite;
 use silhouette_core::glam::DVec3;
+
+/// A curve with a silhouette point on it.
+pub trait Bridge {
+    /// The point at a parameter from 0 to 1.
+    fn point(&self, u: f64) -> DVec3;
+
+    /// The derivative by the parameter.
+    fn derivative(&self, u: f64) -> DVec3;
+}
+
+impl Bridge for Hermite {
+    fn point(&self, u: f64) -> DVec3 {
+        self.point(u)
+    }
+
+    fn derivative(&self, u: f64) -> DVec3 {
+        self.derivative(u)
+    }
+}
+
+impl Bridge for FeatureSegment {
+    fn point(&self, u: f64) -> DVec3 {
+        self.point(u)
+    }
+
+    fn derivative(&self, u: f64) -> DVec3 {
+        self.derivative(u)
+    }
+}
 
 /// A point of the silhouette, on a bridge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +65,7 @@ const CONVERGED: f64 = 1e-12;
 pub fn silhouette_point(
     positions: [DVec3; 2],
     normals: [DVec3; 2],
-    bridge: impl Fn(f64) -> DVec3,
+    bridge: &impl Bridge,
     eye: Eye,
     newton_steps: u32,
 ) -> SilhouettePoint {
@@ -47,9 +77,9 @@ pub fn silhouette_point(
         quadratic_root(signs[0], toward[0].dot(normals[1]) + toward[1].dot(normals[0]), signs[1])
     };
     if eye.position().is_some() && newton_steps > 0 {
-        u = refined(u, signs[0] >= 0.0, normals, &bridge, eye, newton_steps);
+        u = refined(u, signs[0] >= 0.0, normals, bridge, eye, newton_steps);
     }
-    let position = bridge(u);
+    let position = bridge.point(u);
     let mut normal = normals[0].lerp(normals[1], u);
     if normal.length() < LEAST_NORMAL {
         normal = eye.toward(position).cross(positions[1] - positions[0]);
@@ -81,37 +111,26 @@ pub fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
 }
 
 /// The root of (E - S(u)) . N(u), which is positive at 0 iff `begins_visible` and has the other sign at 1.
-fn refined(
-    mut u: f64,
-    begins_visible: bool,
-    normals: [DVec3; 2],
-    bridge: &impl Fn(f64) -> DVec3,
-    eye: Eye,
-    steps: u32,
-) -> f64 {
-    let value = |u: f64| eye.toward(bridge(u)).dot(normals[0].lerp(normals[1], u));
+fn refined(mut u: f64, begins_visible: bool, normals: [DVec3; 2], bridge: &impl Bridge, eye: Eye, steps: u32) -> f64 {
+    let turn = normals[1] - normals[0];
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..steps {
-        let here = value(u);
-        if here.abs() <= CONVERGED * eye.toward(bridge(u)).length() {
+        let (toward, normal) = (eye.toward(bridge.point(u)), normals[0] + u * turn);
+        let value = toward.dot(normal);
+        if value.abs() <= CONVERGED * toward.length() {
             break;
         }
-        if (here > 0.0) == begins_visible {
+        if (value > 0.0) == begins_visible {
             low = u;
         } else {
             high = u;
         }
-        let step = 1e-6;
-        let slope = (value(u + step) - value(u - step)) / (2.0 * step);
-        let next = u - here / slope;
+        // The eye stands still, the point moves.
+        let slope = toward.dot(turn) - bridge.derivative(u).dot(normal);
+        let next = u - value / slope;
         u = if next > low && next < high { next } else { 0.5 * (low + high) };
     }
     u
-}
-
-/// [`silhouette_point`] on a bridge that is one cubic.
-pub fn silhouette_point_on(bridge: &Hermite, normals: [DVec3; 2], eye: Eye, newton_steps: u32) -> SilhouettePoint {
-    silhouette_point(bridge.ends, normals, |u| bridge.point(u), eye, newton_steps)
 }
 
 #[cfg(test)]
@@ -135,8 +154,8 @@ mod tests {
     fn each_newton_step_comes_closer() {
         let ends = sphere_ends();
         let eye = Eye::from(Viewpoint::Perspective { eye: Vec3::new(0.0, 0.0, 1.3) });
-        let found =
-            [0, 1, 2, 3, 5].map(|steps| residual_deg(&silhouette_point_on(&bridge(ends, ends), ends, eye, steps), eye));
+        let found = [0, 1, 2, 3, 5]
+            .map(|steps| residual_deg(&silhouette_point(ends, ends, &bridge(ends, ends), eye, steps), eye));
         assert!(found[0] > 0.5 && found.is_sorted_by(|a, b| a >= b) && found[4] < 1e-6, "{found:?}");
     }
 
@@ -144,7 +163,7 @@ mod tests {
     fn in_parallel_projection_the_equation_is_linear_and_exact() {
         let ends = sphere_ends();
         let eye = Eye::from(Viewpoint::Orthographic { toward_viewer: Vec3::Z });
-        let point = silhouette_point_on(&bridge(ends, ends), ends, eye, 0);
+        let point = silhouette_point(ends, ends, &bridge(ends, ends), eye, 0);
         assert!(point.normal.z.abs() < 1e-12);
     }
 
@@ -166,7 +185,7 @@ mod tests {
         let positions = [DVec3::ZERO, DVec3::X];
         let normals = [DVec3::Z, DVec3::NEG_Z];
         let eye = Eye::from(Viewpoint::Orthographic { toward_viewer: Vec3::Z });
-        let point = silhouette_point(positions, normals, |u| DVec3::X * u, eye, 0);
+        let point = silhouette_point(positions, normals, &bridge(positions, [DVec3::ZERO; 2]), eye, 0);
         assert!((point.normal.length() - 1.0).abs() < 1e-12 && point.normal.z.abs() < 1e-12);
     }
 
@@ -190,7 +209,7 @@ mod tests {
             let ends = sphere_ends();
             let eye = Eye::new((DVec3::Z * 10_f64.powf(distance)).extend(1.0));
             let parallel = Eye::new(DVec3::Z.extend(0.0));
-            let [far, limit] = [eye, parallel].map(|eye| silhouette_point_on(&bridge(ends, ends), ends, eye, 0).u);
+            let [far, limit] = [eye, parallel].map(|eye| silhouette_point(ends, ends, &bridge(ends, ends), eye, 0).u);
             prop_assert!((far - limit).abs() < 2.0 * 10_f64.powf(-distance) + 1e-12, "{far} {limit}");
         }
     }

@@ -1,6 +1,11 @@
 //! Section III-D, second half: the silhouette points of a view, and in each silhouette triangle the Hermite curve between its
 //! two points, the *silhouette segment*, by the recipe of bridges.
 //!
+//! Departure: the recipe takes the segment for an arc of a geodesic. What is drawn is its image, and seen from a near eye even a
+//! sphere's contour is no great circle. By default ([`SegmentLaw::AcrossView`]) the chord is divided into a part along the view
+//! and one across it; the latter is interpolated along the directions that are perpendicular to both the normal and the view,
+//! which are those of the contour in the image, and the depth linearly. On a sphere this follows the contour from every eye.
+//!
 //! A side that two faces of one group share has one bridge and one point, found once. On a feature edge the bridge is the
 //! feature segment, and each face finds a point of its own with its own group's normals.
 
@@ -8,11 +13,41 @@ use crate::bridges::bridge;
 use crate::eye::Eye;
 use crate::feature_segments::FeatureSegments;
 use crate::hermite::Hermite;
+use crate::options::SmoothingOptions;
 use crate::shading_mesh::ShadingMesh;
-use crate::silhouette_points::{SilhouettePoint, silhouette_point, silhouette_point_on};
+use crate::silhouette_points::{SilhouettePoint, silhouette_point};
 use crate::silhouette_triangles::SilhouetteTriangle;
 use silhouette_core::id::HalfEdgeId;
 use silhouette_core::topology::Twin;
+
+silhouette_core::option_choice! {
+    /// How a silhouette segment is interpolated between its two points.
+    pub enum SegmentLaw {
+        /// In the image, its depth linearly.
+        AcrossView = "across-view",
+        /// In space by the recipe of bridges, as the paper does.
+        AsPrinted = "as-printed",
+    }
+}
+
+/// The curve between two silhouette points of a view.
+pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> Hermite {
+    let positions = ends.map(|end| end.position);
+    if law == SegmentLaw::AsPrinted {
+        return bridge(positions, ends.map(|end| end.normal));
+    }
+    let chord = positions[1] - positions[0];
+    let views = positions.map(|position| eye.toward(position).normalize_or_zero());
+    let along = (views[0] + views[1]).normalize_or_zero();
+    let depth = chord.dot(along) * along;
+    let across = chord - depth;
+    let directions = [0, 1].map(|i| {
+        let direction = ends[i].normal.cross(views[i]);
+        if direction.dot(across) < 0.0 { -direction } else { direction }
+    });
+    let flat = Hermite::along([positions[0], positions[0] + across], directions);
+    Hermite { ends: positions, tangents: flat.tangents.map(|tangent| tangent + depth) }
+}
 
 /// The silhouette's curve through a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +77,7 @@ impl SilhouetteSegments {
         features: &FeatureSegments,
         triangles: &[SilhouetteTriangle],
         eye: Eye,
-        newton_steps: u32,
+        options: &SmoothingOptions,
     ) {
         self.points.clear();
         self.segments.clear();
@@ -51,10 +86,10 @@ impl SilhouetteSegments {
             let sides = [triangle.lone, (triangle.lone + 2) % 3];
             let points = sides.map(|slot| {
                 let half_edge = HalfEdgeId::of(triangle.face, slot);
-                self.point_on(mesh, features, half_edge, eye, newton_steps)
+                self.point_on(mesh, features, half_edge, eye, options)
             });
             let [a, b] = points.map(|point| &self.points[point as usize]);
-            let curve = bridge([a.position, b.position], [a.normal, b.normal]);
+            let curve = segment_curve([a, b], eye, options.segments);
             self.segments.push(SilhouetteSegment { triangle, points, curve });
         }
     }
@@ -65,7 +100,7 @@ impl SilhouetteSegments {
         features: &FeatureSegments,
         half_edge: HalfEdgeId,
         eye: Eye,
-        newton_steps: u32,
+        options: &SmoothingOptions,
     ) -> u32 {
         let edge = mesh.topology().edge_of(half_edge);
         let feature = features.index_of(edge);
@@ -88,9 +123,9 @@ impl SilhouetteSegments {
         let found = match feature {
             Some(index) => {
                 let segment = &features.segments()[index];
-                silhouette_point(positions, normals, |u| segment.point(u), eye, newton_steps)
+                silhouette_point(positions, normals, segment, eye, options.newton_steps)
             }
-            None => silhouette_point_on(&bridge(positions, normals), normals, eye, newton_steps),
+            None => silhouette_point(positions, normals, &bridge(positions, normals), eye, options.newton_steps),
         };
         let point = self.points.len() as u32;
         self.points.push(found);
