@@ -4,21 +4,22 @@ use crate::failure::Failure;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
 use silhouette_core::load::{self, LabelledMesh};
-use silhouette_core::{PreparedMesh, Progress, shapes};
+use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Loads a file or generates a built-in shape.
+/// Loads a file, with the feature edges that it states, or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
     let (name, loaded) = labelled(argument, progress)?;
-    Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh)) })
+    let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
+    Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) })
 }
 
 /// The same, with what the file calls its parts: by their materials and groups.
 fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
-        return Ok((argument.to_owned(), LabelledMesh { mesh, labels: None }));
+        return Ok((argument.to_owned(), LabelledMesh { mesh, labels: None, feature_edges: Vec::new() }));
     }
     let path = Path::new(argument);
     let loaded = load::load_labelled(path, progress)?;
@@ -53,8 +54,18 @@ fn tell_apart(meshes: &mut [NamedMesh], arguments: &[String]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::{PreparedMesh, TriangleMesh};
+    use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh};
     use std::sync::Arc;
+
+    #[test]
+    fn feature_edges_of_a_file_reach_the_prepared_mesh() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bent.obj");
+        let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+        std::fs::write(&path, format!("{square}s 1\nf 1 2 3\ns 2\nf 1 3 4\n")).unwrap();
+        let loaded = mesh(path.to_str().unwrap(), &NoProgress).unwrap();
+        assert_eq!(loaded.mesh.feature_edges(), [[VertexId::new(0), VertexId::new(2)]]);
+    }
 
     #[test]
     fn only_files_of_the_same_name_go_by_their_paths() {

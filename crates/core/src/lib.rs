@@ -4,14 +4,14 @@
 //!
 //! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
 //! 2. [`weld`]: merging of coincident vertices, [`heal`]: mending of T-junctions, both on request only. [`inspect`]: what is wrong with a mesh, with ids.
-//! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh.
+//! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh; `simplify`: a coarser one (cargo feature `simplify`).
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
 //! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint; [`displaced`]: the same for a viewer in general position. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops; [`curves`]: silhouettes as smooth pieces.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
 //!
 //! Cost is stated in faces F, edges E, vertices V and silhouette edges S. Every result is the same bits for any number
-//! of threads. Nothing here knows about a GPU or needs a C++ compiler.
+//! of threads. Nothing here knows about a GPU. Only the feature `simplify` needs a C++ compiler.
 
 pub mod curves;
 pub mod displaced;
@@ -30,6 +30,8 @@ pub mod prepared;
 pub mod progress;
 pub mod shapes;
 pub mod silhouette;
+#[cfg(feature = "simplify")]
+pub mod simplify;
 pub mod subdivide;
 pub mod topology;
 pub mod view;

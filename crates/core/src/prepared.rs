@@ -3,6 +3,7 @@
 //! "Model only what a scene requires": a method on a polygon soup asks for nothing, and [`PreparedMesh::report`] proves
 //! it. An artefact is any type that implements [`Artefact`], in any crate.
 
+use crate::id::VertexId;
 use crate::mesh::TriangleMesh;
 use crate::progress::{Cancelled, Progress};
 use std::any::{Any, TypeId};
@@ -43,6 +44,7 @@ pub struct ArtefactReport {
 /// A mesh and what has been derived from it so far. Share it behind an `Arc`.
 pub struct PreparedMesh {
     mesh: Arc<TriangleMesh>,
+    feature_edges: Arc<[[VertexId; 2]]>,
     slots: Mutex<HashMap<TypeId, Arc<Slot>>>,
     reports: Mutex<Vec<ArtefactReport>>,
 }
@@ -52,12 +54,33 @@ type Slot = Mutex<Option<Arc<dyn Any + Send + Sync>>>;
 impl PreparedMesh {
     /// Takes the mesh; derives nothing.
     pub fn new(mesh: impl Into<Arc<TriangleMesh>>) -> Self {
-        Self { mesh: mesh.into(), slots: Mutex::default(), reports: Mutex::default() }
+        Self { mesh: mesh.into(), feature_edges: Arc::default(), slots: Mutex::default(), reports: Mutex::default() }
+    }
+
+    /// The same mesh with other [`feature_edges`](Self::feature_edges), to be called before artefacts are asked for.
+    #[must_use]
+    pub fn with_feature_edges(self, edges: Vec<[VertexId; 2]>) -> Self {
+        Self { feature_edges: edges.into(), ..self }
+    }
+
+    /// The same mesh with the same feature edges, of which nothing has been derived yet: for measuring what preparation
+    /// costs.
+    #[must_use]
+    pub fn fresh(&self) -> Self {
+        Self { feature_edges: Arc::clone(&self.feature_edges), ..Self::new(Arc::clone(&self.mesh)) }
     }
 
     /// The mesh itself.
     pub fn mesh(&self) -> &Arc<TriangleMesh> {
         &self.mesh
+    }
+
+    /// Edges at which whoever made the mesh says that the surface is sharp, as pairs of vertices in any order; none unless
+    /// [`with_feature_edges`](Self::with_feature_edges) gave some. A pair that
+    /// [`Topology::find_edge`](crate::topology::Topology::find_edge) does not find is no edge of the mesh and means
+    /// nothing.
+    pub fn feature_edges(&self) -> &[[VertexId; 2]] {
+        &self.feature_edges
     }
 
     /// The artefact `A`, built now if nobody asked before. Threads that ask meanwhile wait and get the same one.
@@ -128,6 +151,18 @@ mod tests {
         }
     }
 
+    struct Nothing;
+
+    impl Artefact for Nothing {
+        const NAME: &'static str = "nothing";
+        fn build(_mesh: &PreparedMesh, _progress: &dyn Progress) -> Result<Self, Cancelled> {
+            Ok(Self)
+        }
+        fn bytes(&self) -> usize {
+            0
+        }
+    }
+
     struct CancelAlways;
 
     impl Progress for CancelAlways {
@@ -156,5 +191,19 @@ mod tests {
         assert_eq!(report.len(), 1);
         assert_eq!((report[0].name, report[0].bytes), ("face-total", 8));
         assert_eq!(report[0].asked_by, BTreeSet::from(["one", "two", "three"]));
+    }
+
+    #[test]
+    fn a_fresh_mesh_keeps_its_feature_edges_and_nothing_derived() {
+        let edges = [[VertexId::new(0), VertexId::new(1)]];
+        let mesh = Arc::new(TriangleMesh::new(vec![], vec![]).unwrap());
+        let prepared = PreparedMesh::new(Arc::clone(&mesh));
+        assert!(prepared.feature_edges().is_empty());
+        let prepared = prepared.with_feature_edges(edges.to_vec());
+        prepared.artefact::<Nothing>("test", &NoProgress).unwrap();
+        let fresh = prepared.fresh();
+        assert_eq!((fresh.feature_edges(), prepared.feature_edges()), (&edges[..], &edges[..]));
+        assert!(Arc::ptr_eq(fresh.mesh(), &mesh));
+        assert_eq!((fresh.report().len(), prepared.report().len()), (0, 1));
     }
 }

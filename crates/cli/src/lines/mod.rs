@@ -88,6 +88,10 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
 /// The meshes with their names, welded and healed if that is asked for.
 fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
     let mut meshes = input::labelled_meshes(&arguments.meshes, progress)?;
+    if arguments.weld.is_some() || arguments.heal.is_some() {
+        // Their vertices get other numbers, and no line is drawn along them.
+        meshes.iter_mut().for_each(|(_, loaded)| loaded.feature_edges.clear());
+    }
     if let Some(distance) = arguments.weld {
         for (_, loaded) in &mut meshes {
             let welded = weld_within(&loaded.mesh, distance);

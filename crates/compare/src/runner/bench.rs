@@ -13,9 +13,9 @@ use crate::options::OptionSettings;
 use crate::record::{CameraRecord, Cell, PenRecord, View};
 use crate::scene::{MethodChoice, Scene};
 use rayon::prelude::*;
+use silhouette_core::Progress;
 use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
-use silhouette_core::{PreparedMesh, Progress};
 use silhouette_gpu::PenPlacement;
 use silhouette_render::Gpu;
 use std::sync::Arc;
@@ -76,7 +76,7 @@ impl<'a> Bench<'a> {
 
     /// Prepares a method for a mesh that nothing was derived from, so that its time holds everything it needs.
     fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost), DrawError> {
-        let fresh = Arc::new(PreparedMesh::new(Arc::clone(self.subject.mesh.mesh.mesh())));
+        let fresh = Arc::new(self.subject.mesh.mesh.fresh());
         let start = Instant::now();
         let prepared = choice.entry.prepare(&fresh, &choice.options, self.progress)?;
         let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;

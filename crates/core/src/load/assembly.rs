@@ -5,7 +5,7 @@ use super::polygon::fan;
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
 
-/// A mesh, and how its file sorts the faces.
+/// A mesh, and what its file says about faces and edges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelledMesh {
     /// The mesh.
@@ -13,6 +13,10 @@ pub struct LabelledMesh {
     /// A number for each face, the same for faces of one material and one group; `None` where the file makes no
     /// difference between any two.
     pub labels: Option<Vec<u32>>,
+    /// Edges of the mesh at which the file says that the surface is sharp, as pairs of vertex ids, lower first, sorted,
+    /// each once. Only OBJ says so: by smoothing groups (`s`), if not all faces are in the same one, and by line elements
+    /// (`l`). Every side of a face in group 0 (`s off`) is sharp, the face being shaded flat.
+    pub feature_edges: Vec<[u32; 2]>,
 }
 
 /// A mesh under construction.
@@ -47,7 +51,8 @@ impl Assembly {
             return Err(Problem::NoFaces.into());
         }
         let labels = self.labels();
-        Ok(LabelledMesh { mesh: TriangleMesh::new(self.positions, self.triangles)?, labels })
+        let mesh = TriangleMesh::new(self.positions, self.triangles)?;
+        Ok(LabelledMesh { mesh, labels, feature_edges: Vec::new() })
     }
 
     /// The label of each triangle, if there are two.

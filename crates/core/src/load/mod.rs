@@ -2,7 +2,7 @@
 //!
 //! | format | vertex ids | read |
 //! |---|---|---|
-//! | OBJ | `v` rows | `v`, `f`, `usemtl`, `g`; groups and objects never renumber |
+//! | OBJ | `v` rows | `v`, `f`, `usemtl`, `g`, `s`, `l`; groups and objects never renumber |
 //! | PLY | rows of `vertex` | text and binary; `face`, `tristrips` |
 //! | OFF | vertex rows | text; `[ST][C][N]OFF` |
 //! | STL | equal positions joined, in order of appearance | text and binary |
@@ -12,8 +12,8 @@
 //!
 //! Unreferenced vertices are kept. Polygons are fanned from their first corner. Texture and normal seams never split a
 //! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
-//! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials); everything else that a
-//! vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
+//! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials) and which edges are sharp
+//! (OBJ's `s` and `l`); everything else that a vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
 //!
 //! Bad files are refused with a [`LoadError`] that names the place and the remedy. A header's promise alone never takes
 //! memory: it is bounded by a small multiple of the bytes that are there, except for a glTF scene that places one mesh many
@@ -28,6 +28,8 @@
 
 mod assembly;
 mod error;
+#[cfg(feature = "obj")]
+mod feature_edges;
 mod format;
 #[cfg(feature = "tobj")]
 mod from_tobj;
@@ -75,7 +77,7 @@ pub fn load_with_progress(path: &Path, progress: &dyn Progress) -> Result<Triang
     load_labelled(path, progress).map(|labelled| labelled.mesh)
 }
 
-/// Like [`load_with_progress`], with labels for the faces that share a material and group.
+/// Like [`load_with_progress`], with labels for the faces that share a material and group, and with feature edges.
 ///
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`].
@@ -103,7 +105,7 @@ pub fn read(format: Format, name: &str, bytes: &[u8], progress: &dyn Progress) -
     read_labelled(format, name, bytes, progress).map(|labelled| labelled.mesh)
 }
 
-/// Like [`read()`], with labels for the faces that share a material and group.
+/// Like [`read()`], with labels for the faces that share a material and group, and with feature edges.
 ///
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`].

@@ -1,11 +1,14 @@
-//! Wavefront OBJ: `v` rows and `f` rows; `usemtl` and `g` rows, whose names make labels; every other row is passed over.
+//! Wavefront OBJ: `v` rows and `f` rows; `usemtl` and `g` rows, whose names make labels; `s` and `l` rows, which make
+//! feature edges; every other row is passed over.
 //!
 //! A vertex id is the rank of its `v` row, whatever groups and objects stand between. Of a corner `v/vt/vn` only `v`
 //! counts. A face may name vertices by number from 1, in rows that come later too, or backwards from the row reached so
-//! far (-1 is the vertex last read). A `\` at the end of a row joins the next one to it.
+//! far (-1 is the vertex last read). A line that names no vertex there joins nothing. A `\` at the end of a row joins the
+//! next one to it.
 
 use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem};
+use super::feature_edges::FeatureEdges;
 use super::lines::{Lines, Words};
 use super::steps::Steps;
 use glam::Vec3;
@@ -56,6 +59,7 @@ struct Reader {
     /// The highest vertex number that was named before its row was read.
     ahead: Option<Ahead>,
     sorts: Sorts,
+    feature_edges: FeatureEdges,
 }
 
 /// What distinguishes faces besides their corners.
@@ -126,6 +130,14 @@ impl Reader {
                 self.sorts.name(GROUPS, words);
                 Ok(())
             }
+            b"s" => {
+                self.feature_edges.begin_group(words.word());
+                Ok(())
+            }
+            b"l" => {
+                self.line(words);
+                Ok(())
+            }
             _ => Ok(()),
         }
     }
@@ -152,27 +164,52 @@ impl Reader {
         if let Some(label) = self.sorts.changed_label() {
             self.assembly.begin_label(label);
         }
+        let first = self.assembly.triangles.len();
         self.assembly.polygon(self.faces, &self.corners).map_err(|problem| problem.at_line(words.line()))?;
+        self.feature_edges.polygon(first, self.assembly.triangles.len() - first);
         self.faces += 1;
         Ok(())
     }
 
+    /// Takes a line through vertices `v` or `v/vt`.
+    fn line(&mut self, mut words: Words<'_>) {
+        let mut before = None;
+        while !words.is_empty() {
+            let end = self.vertex_of_line(words.word());
+            if let (Some(a), Some(b)) = (before, end) {
+                self.feature_edges.line(a, b);
+            }
+            before = end;
+        }
+    }
+
+    /// The vertex id that a word of a line names, if it is one; there need be no such vertex.
+    fn vertex_of_line(&self, word: &[u8]) -> Option<u32> {
+        let number = vertex_number(word).ok().filter(|&number| number != 0)?;
+        u32::try_from(self.rank(number)).ok()
+    }
+
     /// The vertex id that a corner `v/vt/vn` names.
     fn resolve(&mut self, corner: &[u8], line: u64) -> Result<u32, Located> {
-        let end = corner.iter().position(|&b| b == b'/').unwrap_or(corner.len());
-        let number = super::lines::integer(&corner[..end], "a vertex number").map_err(|p| p.at_line(line))?;
-        let known = self.assembly.positions.len() as i64;
-        let id = match number {
-            0 => return Err(Problem::VertexZero.at_line(line)),
-            1.. => number - 1,
-            // Saturation keeps a number below -2^63 + V out of range.
-            _ => known.saturating_add(number),
+        let number = vertex_number(corner).map_err(|problem| problem.at_line(line))?;
+        if number == 0 {
+            return Err(Problem::VertexZero.at_line(line));
+        }
+        let Ok(id) = u32::try_from(self.rank(number)) else {
+            return Err(self.out_of_range(self.faces, number).at_line(line));
         };
-        let Ok(id) = u32::try_from(id) else { return Err(self.out_of_range(self.faces, number).at_line(line)) };
-        if i64::from(id) >= known && self.ahead.as_ref().is_none_or(|ahead| number > ahead.number) {
+        let known = self.assembly.positions.len();
+        if id as usize >= known && self.ahead.as_ref().is_none_or(|ahead| number > ahead.number) {
             self.ahead = Some(Ahead { number, face: self.faces, line });
         }
         Ok(id)
+    }
+
+    /// The rank of the `v` row that a number other than 0 names from the row reached so far; negative if there is none.
+    fn rank(&self, number: i64) -> i64 {
+        let known = self.assembly.positions.len() as i64;
+        // Saturation keeps a number below -2^63 + V out of range.
+        if number > 0 { number - 1 } else { known.saturating_add(number) }
     }
 
     fn out_of_range(&self, face: u64, index: i64) -> Problem {
@@ -190,6 +227,14 @@ impl Reader {
         {
             return Err(self.out_of_range(ahead.face, ahead.number).at_line(ahead.line));
         }
-        self.assembly.finish()
+        let mut labelled = self.assembly.finish()?;
+        labelled.feature_edges = self.feature_edges.of_mesh(labelled.mesh.triangles());
+        Ok(labelled)
     }
+}
+
+/// The number that a corner `v/vt/vn` begins with.
+fn vertex_number(corner: &[u8]) -> Result<i64, Problem> {
+    let end = corner.iter().position(|&b| b == b'/').unwrap_or(corner.len());
+    super::lines::integer(&corner[..end], "a vertex number")
 }

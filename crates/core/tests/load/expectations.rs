@@ -14,6 +14,11 @@ pub fn labels(format: Format, bytes: impl AsRef<[u8]>) -> Option<Vec<u32>> {
     read_labelled(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}")).labels
 }
 
+/// The feature edges of bytes that should be a mesh.
+pub fn feature_edges(format: Format, bytes: impl AsRef<[u8]>) -> Vec<[u32; 2]> {
+    read_labelled(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}")).feature_edges
+}
+
 /// Reads bytes that should be refused.
 pub fn refused(format: Format, bytes: impl AsRef<[u8]>) -> LoadError {
     let error = match read(format, "test", bytes.as_ref(), &NoProgress) {

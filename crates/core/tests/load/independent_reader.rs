@@ -169,6 +169,7 @@ fn row(vertices: usize) -> impl Strategy<Value = String> {
         "g one two",
         "g",
         "s off",
+        "s 2",
         "usemtl steel",
         "p 1",
         "vp 0.5",

@@ -2,6 +2,7 @@
 
 mod cancelling;
 mod expectations;
+mod feature_edges;
 mod gltf;
 mod gltf_refused;
 mod independent_reader;

@@ -8,7 +8,7 @@ use silhouette_core::load::{Format, read};
 
 /// Good files of every format and encoding.
 fn good_files() -> Vec<(Format, Vec<u8>)> {
-    let obj = square_rows("v ") + "o a\nf 1/1 2/2 -2 \\\n4\nf 1 2 3\n";
+    let obj = square_rows("v ") + "o a\ns 1\nf 1/1 2/2 -2 \\\n4\ns off\nf 1 2 3\nl 1 -3 4/1\n";
     let off = "OFF\n4 2 0\n".to_owned() + &square_rows("") + "4 0 1 2 3\n3 0 1 2\n";
     let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
                element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
