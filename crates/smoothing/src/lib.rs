@@ -17,3 +17,8 @@ pub use eye::{Eye, SmoothingView};
 pub use hermite::Hermite;
 pub use shading_mesh::ShadingMesh;
 pub use view_mesh::{Origin, Remesher, ViewMesh};
+
+#[cfg(feature = "gpu")]
+pub mod view_mesh_renderer;
+#[cfg(feature = "gpu")]
+pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
