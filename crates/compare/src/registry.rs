@@ -19,6 +19,7 @@ use silhouette_baselines::FineMesh;
 use silhouette_core::Method;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_image_precision::ImagePrecision;
+use silhouette_smoothing::Smoothing;
 use silhouette_tracking::{ExactTracking, Tracking};
 
 /// The baseline: speeds are stated as ratios to it.
@@ -52,6 +53,7 @@ impl Registry {
             .with(Entry::of::<ExactTracking>().loops())
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<FineMesh>().fill())
+            .with(Entry::of::<Smoothing>().curves().fill())
     }
 
     /// The same methods and one more; one of the same name is replaced.

@@ -8,8 +8,7 @@ use crate::frame_view::{FrameView, Viewport};
 use crate::kit::{RenderStage, WoundPipeline};
 use crate::mesh_buffers::{MeshBuffers, POSITION_LAYOUT};
 use crate::renderer_error::RendererError;
-use bytemuck::{Pod, Zeroable};
-use glam::{DMat3, DVec3};
+use crate::surface::SurfaceUniform;
 use std::sync::Arc;
 
 /// How faces are coloured.
@@ -48,23 +47,6 @@ impl FillStyle {
     pub const PAPER: Self = Self { shade: Shade::Flat(Color::WHITE), cull: Cull::None };
     /// Depth of both sides, and no colour.
     pub const DEPTH: Self = Self { shade: Shade::DepthOnly, cull: Cull::None };
-}
-
-/// Share of the light that falls on faces turned away from it.
-const AMBIENT: f32 = 0.25;
-
-/// Towards the light from the viewer: to the left, upwards and backwards, over the viewer's left shoulder.
-const LIGHT: [f64; 3] = [-0.4, 0.6, 1.0];
-
-/// Twin of the struct in `shaders/gpu/fill.wgsl`.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Pod, Zeroable)]
-struct FillUniform {
-    color: [f32; 4],
-    light: [f32; 4],
-    shape: [[f32; 4]; 3],
-    is_linear: u32,
-    _pad: [u32; 3],
 }
 
 /// The pipeline of a style, for all meshes.
@@ -126,7 +108,7 @@ impl FillRenderer {
         Self {
             pipelines: Arc::clone(pipelines),
             mesh: Arc::clone(mesh),
-            binding: CameraBinding::new(device, &CameraBinding::layout(device), size_of::<FillUniform>()),
+            binding: CameraBinding::new(device, &CameraBinding::layout(device), size_of::<SurfaceUniform>()),
             prepared: None,
         }
     }
@@ -137,23 +119,11 @@ impl FrameRenderer for FillRenderer {
         let FillPipelines { pipeline, formats, style } = &*self.pipelines;
         formats.check(view)?;
         let frame = self.mesh.frame();
-        // The light stands still for the viewer. From view space to the axes of the world, in which the shape lies.
-        let [left, up, back] = LIGHT;
-        let light = DVec3::new(left, up, view.depth_law().view_z_of_depth(-back));
-        let world_to_view = DMat3::from_mat4(view.object_to_view() * view.model().inverse());
-        let light = (world_to_view.inverse() * light).normalize_or_zero().as_vec3();
         let color = match style.shade {
             Shade::Flat(color) | Shade::Lit(color) => color,
             Shade::DepthOnly => Color::TRANSPARENT,
         };
-        let [red, green, blue] = color.srgb.map(|part| part as f32);
-        let uniform = FillUniform {
-            color: [red, green, blue, color.alpha as f32],
-            light: light.extend(AMBIENT).to_array(),
-            shape: columns(frame.shape(view)),
-            is_linear: u32::from(formats.is_linear()),
-            _pad: [0; 3],
-        };
+        let uniform = SurfaceUniform::new(frame, view, color, formats.is_linear());
         self.binding.write(queue, &CameraUniform::new(frame.to_clip(view)), &uniform);
         self.prepared = Some((pipeline.get(view.is_mirrored()).clone(), view.viewport()));
         Ok(())
@@ -165,28 +135,5 @@ impl FrameRenderer for FillRenderer {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, self.binding.bind_group(), &[]);
         self.mesh.draw(pass);
-    }
-}
-
-/// The columns of a matrix as a uniform holds them, each padded to four numbers.
-pub(crate) fn columns(matrix: DMat3) -> [[f32; 4]; 3] {
-    matrix.as_mat3().to_cols_array_2d().map(|[x, y, z]| [x, y, z, 0.0])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use silhouette_shaders::layout;
-    use std::mem::offset_of;
-
-    #[test]
-    fn the_uniform_is_laid_out_as_its_wgsl_twin() {
-        let members = [
-            ("color", offset_of!(FillUniform, color)),
-            ("light", offset_of!(FillUniform, light)),
-            ("shape", offset_of!(FillUniform, shape)),
-            ("is_linear", offset_of!(FillUniform, is_linear)),
-        ];
-        assert!(layout::matches(silhouette_shaders::gpu::FILL, "FillUniform", size_of::<FillUniform>(), &members));
     }
 }

@@ -56,6 +56,7 @@ mod mesh_buffers;
 mod pen;
 mod renderer_error;
 mod strokes;
+mod surface;
 
 pub use camera::{CameraBinding, CameraUniform};
 pub use color::Color;
@@ -76,3 +77,4 @@ pub use strokes::{
     Cap, DepthScale, Hidden, Interior, Join, Polylines, Projector, SceneDepth, ScreenSegment, StrokePipelines,
     StrokeRenderer, StrokeStyle,
 };
+pub use surface::SurfaceUniform;

@@ -29,5 +29,12 @@ pub use shading_mesh::ShadingMesh;
 pub use smoothing::Smoothing;
 pub use view_mesh::{Origin, Remesher, ViewMesh};
 
+#[cfg(feature = "gpu")]
+mod fills_image;
+#[cfg(feature = "gpu")]
+pub mod view_mesh_renderer;
+#[cfg(feature = "gpu")]
+pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
+
 #[cfg(test)]
 mod tests;

@@ -35,8 +35,9 @@ impl ShadingMesh {
         progress: &dyn Progress,
     ) -> Result<Self, Cancelled> {
         let topology = mesh.artefact::<Topology>(asker, progress)?;
+        let given = mesh.feature_edges();
+        let features = feature_edges(mesh.mesh(), &topology, given, crease_deg);
         let mesh = Arc::clone(mesh.mesh());
-        let features = feature_edges(&mesh, &topology, &[], crease_deg);
         let groups = Groups::new(&mesh, &topology, &features);
         let normals = shading_normals(&mesh, &groups, weights);
         let mut origins = vec![Origin { face: FaceId::new(0), weights: [0.0; 3] }; groups.vertex.len()];
