@@ -1,9 +1,9 @@
 //! Section III-B: a shading normal for each vertex, and several where feature edges separate groups of triangles.
 //!
-//! Departure: the paper weights faces by their angle at the vertex (Thürmer and Wüthrich 1998), whose normals are off by up to
-//! a degree or two where the vertices of a regular mesh lie on a sphere. The default is the weight of Max ("Weights for computing
-//! vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999), which is exact wherever a vertex and its
-//! neighbours lie on one sphere.
+//! Departure: the paper weights faces by their angle at the vertex (Thürmer and Wüthrich 1998). On meshes that were simplified,
+//! whose faces differ much in size and shape, outlines come closer to the original with weights by area, the default. The
+//! weights of Max ("Weights for computing vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999) are exact
+//! wherever a vertex and its neighbours lie on one sphere. `docs/methods/smoothing.md` has the figures.
 
 use crate::shading_mesh::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
@@ -13,12 +13,12 @@ use silhouette_core::{EdgeId, Topology, TriangleMesh};
 silhouette_core::option_choice! {
     /// How much each face counts in the normal of a vertex.
     pub enum NormalWeights {
-        /// The sine of its angle at the vertex over the lengths of its two sides there.
-        Sphere = "sphere",
         /// Its area.
         Area = "area",
         /// Its angle at the vertex, as the paper has it.
         Angle = "angle",
+        /// The sine of its angle at the vertex over the lengths of its two sides there: exact on spheres.
+        Sphere = "sphere",
     }
 }
 

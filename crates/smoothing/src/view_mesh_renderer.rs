@@ -244,6 +244,7 @@ impl Buffers {
 mod tests {
     use super::*;
     use crate::shading_mesh::ShadingMesh;
+    use crate::shading_normals::NormalWeights;
     use crate::view_mesh::Origin;
     use silhouette_core::glam::{DMat4, DQuat, DVec3};
     use silhouette_core::view::{DepthDirection, Framing};
@@ -265,7 +266,7 @@ mod tests {
     impl AsItIs {
         fn new(mesh: &TriangleMesh) -> Self {
             let prepared = PreparedMesh::new(mesh.clone());
-            let mesh = ShadingMesh::new(&prepared, 75.0, "test", &NoProgress).unwrap();
+            let mesh = ShadingMesh::new(&prepared, 75.0, NormalWeights::Area, "test", &NoProgress).unwrap();
             Self { faces: mesh.triangles().len(), step: 0, mesh }
         }
     }
