@@ -1,5 +1,6 @@
 //! Tests of the whole method.
 
+mod coherence;
 mod outlines;
 mod remeshed;
 
