@@ -37,5 +37,13 @@ pub mod view_mesh_renderer;
 #[cfg(feature = "gpu")]
 pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 
+// The methods that compete with smoothing.
+pub mod face_splitter;
+pub mod phong_tessellation;
+pub mod pn_triangles;
+pub mod shading;
+pub mod side_curves;
+pub mod tessellation;
+
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,73 @@
+//! How far outlines of coarse spheres are from the circle: the image radius relative to that of the sphere.
+
+use crate::surfaces::{remesher, view};
+use silhouette_core::glam::{DVec2, DVec3};
+use silhouette_core::view::Camera;
+use silhouette_smoothing::ViewMesh;
+use silhouette_testing::{builtin, directions};
+use std::f64::consts::TAU;
+
+/// Distances of the eye in radii; in parallel without.
+pub const DISTANCES: [Option<f32>; 3] = [None, Some(2.0), Some(1.2)];
+
+/// Image of the unit sphere in units of its own outline's radius, the centre in the middle.
+pub fn in_image(camera: &Camera, point: DVec3) -> DVec2 {
+    let at = camera.view_matrix().transform_point3(point);
+    let eye = camera.eye().as_dvec3().length();
+    let is_parallel = matches!(camera.projection(), silhouette_core::view::Projection::Orthographic { .. });
+    let radius = if is_parallel { 1.0 } else { -at.z / (eye * eye - 1.0).sqrt() };
+    DVec2::new(at.x, at.y) / radius
+}
+
+/// Largest difference from 1 of the distance from the middle to the outline of a surface, over all ways from there.
+fn outline_error(surface: &ViewMesh, camera: &Camera) -> f64 {
+    const WAYS: usize = 1440;
+    let mut farthest = [0.0_f64; WAYS];
+    let points: Vec<DVec2> = surface.positions.iter().map(|p| in_image(camera, p.as_dvec3())).collect();
+    for triangle in &surface.triangles {
+        for slot in 0..3 {
+            let [a, b] = [slot, (slot + 1) % 3].map(|slot| points[triangle[slot] as usize]);
+            // No edge of a coarse sphere's outline passes the middle; each spans less than half a turn.
+            let from = a.y.atan2(a.x);
+            let span = a.perp_dot(b).atan2(a.dot(b));
+            let (low, high) = (from.min(from + span), from.max(from + span));
+            let ways = |angle: f64| angle / TAU * WAYS as f64;
+            for way in ways(low).ceil() as i64..=ways(high).floor() as i64 {
+                let angle = way as f64 / WAYS as f64 * TAU;
+                let along = DVec2::new(angle.cos(), angle.sin());
+                let denominator = along.perp_dot(b - a);
+                if denominator.abs() > 1e-12 {
+                    let place = &mut farthest[way.rem_euclid(WAYS as i64) as usize];
+                    *place = place.max(a.perp_dot(b - a) / denominator);
+                }
+            }
+        }
+    }
+    farthest.iter().map(|radius| (radius - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// The worst over directions.
+fn worst_outline(method: &str, shape: &str, radii: Option<f32>, words: &[&str]) -> f64 {
+    let mut remesher = remesher(method, &builtin(shape), words);
+    let error = |direction: DVec3| {
+        let (camera, view) = view(direction.as_vec3(), radii);
+        let mut surface = ViewMesh::default();
+        remesher.remesh(&view, &mut surface);
+        outline_error(&surface, &camera)
+    };
+    directions::spread(60).map(error).fold(0.0, f64::max)
+}
+
+/// Faces as they are: the error of the mesh itself.
+const FLAT: [(&str, f64); 2] = [("icosphere:1", 0.0655), ("icosphere:2", 0.0176)];
+
+#[test]
+fn uniform_patches_come_closer_to_the_circle_than_the_faces() {
+    for (shape, flat) in FLAT {
+        for (method, share) in [("pn-triangles", 0.16), ("phong-tessellation", 0.40)] {
+            let [faces, patches] = ["level=0", "level=3"].map(|level| worst_outline(method, shape, None, &[level]));
+            assert!((faces - flat).abs() < 0.01 * flat, "{shape}: {faces}");
+            assert!(patches < share * flat && patches > 0.1 * flat, "{method} {shape}: {patches}");
+        }
+    }
+}
