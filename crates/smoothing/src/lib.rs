@@ -39,6 +39,7 @@ pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 
 // The methods that compete with smoothing.
 pub mod face_splitter;
+pub mod interpolated_contours;
 pub mod phong_tessellation;
 pub mod pn_triangles;
 pub mod shading;

@@ -1,25 +1,34 @@
-//! How far outlines of coarse spheres are from the circle: the image radius relative to that of the sphere.
+//! How far outlines of coarse spheres are from the circle, in radii of the sphere.
 
 use crate::surfaces::{remesher, view};
+use silhouette_core::curves::SilhouetteCurves;
 use silhouette_core::glam::{DVec2, DVec3};
-use silhouette_core::view::Camera;
+use silhouette_core::method::{ExtractsCurves, Method};
+use silhouette_core::view::{Camera, Projection};
 use silhouette_smoothing::ViewMesh;
-use silhouette_testing::{builtin, directions};
+use silhouette_smoothing::interpolated_contours::InterpolatedContours;
+use silhouette_testing::{builtin, directions, prepare};
 use std::f64::consts::TAU;
 
 /// Distances of the eye in radii; in parallel without.
 pub const DISTANCES: [Option<f32>; 3] = [None, Some(2.0), Some(1.2)];
 
-/// Image of the unit sphere in units of its own outline's radius, the centre in the middle.
-pub fn in_image(camera: &Camera, point: DVec3) -> DVec2 {
+/// A point in the image, the centre of the unit sphere in the middle: at distance 1 from the eye.
+fn in_image(camera: &Camera, point: DVec3) -> DVec2 {
     let at = camera.view_matrix().transform_point3(point);
-    let eye = camera.eye().as_dvec3().length();
-    let is_parallel = matches!(camera.projection(), silhouette_core::view::Projection::Orthographic { .. });
-    let radius = if is_parallel { 1.0 } else { -at.z / (eye * eye - 1.0).sqrt() };
-    DVec2::new(at.x, at.y) / radius
+    if is_parallel(camera) { at.truncate() } else { at.truncate() / -at.z }
 }
 
-/// Largest difference from 1 of the distance from the middle to the outline of a surface, over all ways from there.
+fn is_parallel(camera: &Camera) -> bool {
+    matches!(camera.projection(), Projection::Orthographic { .. })
+}
+
+/// How far a sight line passes the centre of the unit sphere, which is 1 on its outline, from the distance in the image.
+fn sight_radius(camera: &Camera, image: f64) -> f64 {
+    if is_parallel(camera) { image } else { camera.eye().as_dvec3().length() * image / image.hypot(1.0) }
+}
+
+/// Largest difference from 1 of the sight radius of the outline of a surface, over all ways from the middle.
 fn outline_error(surface: &ViewMesh, camera: &Camera) -> f64 {
     const WAYS: usize = 1440;
     let mut farthest = [0.0_f64; WAYS];
@@ -43,7 +52,7 @@ fn outline_error(surface: &ViewMesh, camera: &Camera) -> f64 {
             }
         }
     }
-    farthest.iter().map(|radius| (radius - 1.0).abs()).fold(0.0, f64::max)
+    farthest.iter().map(|radius| (sight_radius(camera, *radius) - 1.0).abs()).fold(0.0, f64::max)
 }
 
 /// The worst over directions.
@@ -68,6 +77,36 @@ fn uniform_patches_come_closer_to_the_circle_than_the_faces() {
             let [faces, patches] = ["level=0", "level=3"].map(|level| worst_outline(method, shape, None, &[level]));
             assert!((faces - flat).abs() < 0.01 * flat, "{shape}: {faces}");
             assert!(patches < share * flat && patches > 0.1 * flat, "{method} {shape}: {patches}");
+        }
+    }
+}
+
+/// Largest difference from 1 of the sight radius of curves, over directions.
+fn worst_curve<M: Method + ExtractsCurves>(shape: &str, radii: Option<f32>) -> f64 {
+    let mut method: M = prepare::method(&prepare::prepared(builtin(shape)));
+    let mut curves = SilhouetteCurves::default();
+    let mut worst = 0.0_f64;
+    for direction in directions::spread(60) {
+        let (camera, _) = view(direction.as_vec3(), radii);
+        method.extract_curves(&camera.viewpoint(), &mut curves);
+        assert!(!curves.is_empty());
+        for piece in curves.pieces() {
+            for step in 0..=40 {
+                let image = in_image(&camera, piece.point(f64::from(step) / 40.0)).length();
+                worst = worst.max((sight_radius(&camera, image) - 1.0).abs());
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn interpolated_contours_are_off_by_the_height_of_chords_and_more_from_close_by() {
+    let expected = [("icosphere:1", [0.066, 0.069, 0.094]), ("icosphere:2", [0.018, 0.018, 0.019])];
+    for (shape, errors) in expected {
+        for (radii, error) in DISTANCES.into_iter().zip(errors) {
+            let found = worst_curve::<InterpolatedContours>(shape, radii);
+            assert!((found - error).abs() < 0.05 * error, "{shape} {radii:?}: {found}");
         }
     }
 }
