@@ -38,6 +38,7 @@ pub mod view_mesh_renderer;
 pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 
 // The methods that compete with smoothing.
+pub mod adaptive_refinement;
 pub mod face_splitter;
 pub mod interpolated_contours;
 pub mod phong_tessellation;

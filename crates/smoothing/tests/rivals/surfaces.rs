@@ -4,13 +4,14 @@ use silhouette_core::glam::Vec3;
 use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{PreparedMesh, TriangleMesh};
+use silhouette_smoothing::adaptive_refinement::AdaptiveRefinement;
 use silhouette_smoothing::phong_tessellation::PhongTessellation;
 use silhouette_smoothing::pn_triangles::PnTriangles;
 use silhouette_smoothing::{Remesher, SmoothingView, ViewMesh};
 use silhouette_testing::prepare::prepared;
 use std::sync::Arc;
 
-pub const NAMES: [&str; 2] = ["pn-triangles", "phong-tessellation"];
+pub const NAMES: [&str; 3] = ["pn-triangles", "phong-tessellation", "adaptive-refinement"];
 
 pub fn method<M: Method>(mesh: &Arc<PreparedMesh>, words: &[&str]) -> M {
     M::new(mesh, M::Options::parse(words.iter().copied()).unwrap()).unwrap()
@@ -22,6 +23,7 @@ pub fn remesher(name: &str, mesh: &TriangleMesh, words: &[&str]) -> Box<dyn Reme
     match name {
         "pn-triangles" => Box::new(method::<PnTriangles>(&mesh, words).remesher()),
         "phong-tessellation" => Box::new(method::<PhongTessellation>(&mesh, words).remesher()),
+        "adaptive-refinement" => Box::new(method::<AdaptiveRefinement>(&mesh, words).remesher()),
         _ => panic!("{name}"),
     }
 }
