@@ -27,7 +27,7 @@ use crate::shading_mesh::{ShadingMesh, face_normal};
 use crate::side_curves::side_curves;
 use crate::tessellation::check_size;
 use crate::view_mesh::{Remesher, ViewMesh};
-use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::glam::DVec3;
 use silhouette_core::id::PerEdge;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::{Artefact, PreparedMesh};
@@ -44,7 +44,7 @@ silhouette_core::method_options! {
         pub full_deg: f64 = number("full", 0.0..=90.0 "deg", default 10.0),
         /// Angle between the view and the planes of its faces from which an edge is straight; edges are wholly curved or straight
         /// if this is not above full.
-        pub none_deg: f64 = number("none", 0.0..=90.0 "deg", default 40.0),
+        pub none_deg: f64 = number("none", 0.0..=90.0 "deg", default 25.0),
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth.
         pub crease_deg: f64 = number("crease", 0.0..=180.0 "deg", default 75.0),
         /// How faces look: lit from the viewer's upper left, or in one grey.
@@ -294,6 +294,7 @@ mod gpu {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use silhouette_core::glam::Vec3;
     use silhouette_core::view::Viewpoint;
     use silhouette_core::{FaceFacings, SilhouetteEdges};
     use silhouette_testing::{builtin, directions, prepare, zoo};
@@ -311,15 +312,15 @@ mod tests {
     fn the_silhouetteness_is_one_at_the_silhouette_and_falls_smoothly() {
         let law = Law { full_deg: 10.0, none_deg: 40.0 };
         let at = |degrees: [f64; 2]| law.silhouetteness(degrees.into_iter().map(|degree| degree.to_radians().sin()));
-        assert_eq!([at([-30.0, 5.0]), at([80.0, 9.9]), at([0.0, 50.0]), at([-41.0, -60.0])], [1.0, 1.0, 1.0, 0.0]);
+        assert!([[-30.0, 5.0], [80.0, 9.9], [0.0, 50.0]].into_iter().all(|degrees| at(degrees) >= 1.0));
+        assert!(at([-41.0, -60.0]) <= 0.0);
         assert!((at([25.0, 70.0]) - 0.5).abs() < 1e-12);
         let values: Vec<f64> = (0..=500).map(|step| at([f64::from(step) * 0.1, 80.0])).collect();
         assert!(values.is_sorted_by(|a, b| a >= b) && values.windows(2).all(|pair| pair[0] - pair[1] < 0.01));
         let step = Law { full_deg: 20.0, none_deg: 10.0 };
-        assert_eq!(
-            [19.9, 20.1].map(|degree: f64| step.silhouetteness([degree.to_radians().sin(); 2].into_iter())),
-            [1.0, 0.0]
-        );
+        let [below, above] =
+            [19.9_f64, 20.1].map(|degrees| step.silhouetteness([degrees.to_radians().sin(); 2].into_iter()));
+        assert!(below >= 1.0 && above <= 0.0);
     }
 
     #[test]
@@ -331,7 +332,7 @@ mod tests {
                 let viewpoint = Viewpoint::Orthographic { toward_viewer: direction.as_vec3() };
                 let edges = SilhouetteEdges::of(&topology, &FaceFacings::new(&mesh, &viewpoint));
                 let remesher = method.remesher();
-                assert!(edges.iter().all(|edge| remesher.silhouetteness(edge, viewpoint.into()) == 1.0), "{name}");
+                assert!(edges.iter().all(|edge| remesher.silhouetteness(edge, viewpoint.into()) >= 1.0), "{name}");
             }
         }
     }

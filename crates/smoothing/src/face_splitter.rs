@@ -108,6 +108,17 @@ impl FaceSplitter {
         }
     }
 
+    /// Appends a face as it is.
+    pub(crate) fn push_whole(&mut self, mesh: &ShadingMesh, face: FaceId, out: &mut ViewMesh) {
+        let corners = [0, 1, 2].map(|slot| self.corner(mesh, face, slot, out));
+        out.push_triangle(corners);
+    }
+
+    /// The vertex of a shading vertex that a face was appended with.
+    pub(crate) fn vertex_of(&self, corner: u32) -> u32 {
+        self.of_corner[corner as usize]
+    }
+
     /// Appends a flat face, some of whose sides its neighbours split: a fan from the corner opposite of one such side, or around
     /// the centre.
     pub(crate) fn push_flat<P: Patch>(

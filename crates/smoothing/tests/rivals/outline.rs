@@ -1,12 +1,12 @@
 //! How far outlines of coarse spheres are from the circle, in radii of the sphere.
 
-use crate::surfaces::{remesher, view};
+use crate::surfaces::{remesher, surface, view};
 use silhouette_core::curves::SilhouetteCurves;
-use silhouette_core::glam::{DVec2, DVec3};
+use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::method::{ExtractsCurves, Method};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_smoothing::ViewMesh;
-use silhouette_smoothing::interpolated_contours::InterpolatedContours;
+use silhouette_smoothing::{BoundaryCurve, InterpolatedContours};
 use silhouette_testing::{builtin, directions, prepare};
 use std::f64::consts::TAU;
 
@@ -107,6 +107,36 @@ fn interpolated_contours_are_off_by_the_height_of_chords_and_more_from_close_by(
         for (radii, error) in DISTANCES.into_iter().zip(errors) {
             let found = worst_curve::<InterpolatedContours>(shape, radii);
             assert!((found - error).abs() < 0.05 * error, "{shape} {radii:?}: {found}");
+        }
+    }
+}
+
+fn triangles(method: &str, shape: &str) -> usize {
+    let view = view(Vec3::new(0.3, 0.2, 0.9), None).1;
+    surface(&mut *remesher(method, &builtin(shape), &[]), &view).triangles.len()
+}
+
+#[test]
+fn patches_near_the_silhouette_alone_give_the_outline_of_patches_everywhere() {
+    for radii in DISTANCES {
+        let [uniform, adaptive] =
+            ["pn-triangles", "adaptive-refinement"].map(|method| worst_outline(method, "icosphere:2", radii, &[]));
+        assert!(adaptive < 1.1 * uniform, "{radii:?}: {adaptive} against {uniform}");
+    }
+    let [uniform, adaptive] = ["pn-triangles", "adaptive-refinement"].map(|method| triangles(method, "icosphere:3"));
+    // Faces seen at less than 25 degrees cover 0.42 of a sphere.
+    assert!(5 * adaptive < 3 * uniform, "{adaptive} against {uniform}");
+}
+
+/// The silhouette edges of a sphere run to and fro about its contour, and a curve through their vertices does too.
+#[test]
+fn curves_through_the_vertices_of_silhouette_edges_gain_little_on_a_sphere() {
+    for (shape, flat) in FLAT {
+        for radii in DISTANCES {
+            let curves = worst_curve::<BoundaryCurve>(shape, radii);
+            let filled = worst_outline("boundary-curve", shape, radii, &[]);
+            assert!((0.85 * flat..1.02 * flat).contains(&curves), "{shape} {radii:?}: {curves}");
+            assert!(filled <= curves + 1e-3, "{shape} {radii:?}: {filled}");
         }
     }
 }

@@ -4,14 +4,19 @@ use silhouette_core::glam::Vec3;
 use silhouette_core::method::{Method, MethodOptions};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{PreparedMesh, TriangleMesh};
-use silhouette_smoothing::adaptive_refinement::AdaptiveRefinement;
-use silhouette_smoothing::phong_tessellation::PhongTessellation;
-use silhouette_smoothing::pn_triangles::PnTriangles;
+use silhouette_smoothing::AdaptiveRefinement;
+use silhouette_smoothing::BoundaryCurve;
+use silhouette_smoothing::PhongTessellation;
+use silhouette_smoothing::PnTriangles;
 use silhouette_smoothing::{Remesher, SmoothingView, ViewMesh};
 use silhouette_testing::prepare::prepared;
 use std::sync::Arc;
 
-pub const NAMES: [&str; 3] = ["pn-triangles", "phong-tessellation", "adaptive-refinement"];
+/// Those whose surfaces are closed where the mesh is.
+pub const CLOSED: [&str; 3] = ["pn-triangles", "phong-tessellation", "adaptive-refinement"];
+
+/// All of them.
+pub const NAMES: [&str; 4] = ["pn-triangles", "phong-tessellation", "adaptive-refinement", "boundary-curve"];
 
 pub fn method<M: Method>(mesh: &Arc<PreparedMesh>, words: &[&str]) -> M {
     M::new(mesh, M::Options::parse(words.iter().copied()).unwrap()).unwrap()
@@ -24,6 +29,7 @@ pub fn remesher(name: &str, mesh: &TriangleMesh, words: &[&str]) -> Box<dyn Reme
         "pn-triangles" => Box::new(method::<PnTriangles>(&mesh, words).remesher()),
         "phong-tessellation" => Box::new(method::<PhongTessellation>(&mesh, words).remesher()),
         "adaptive-refinement" => Box::new(method::<AdaptiveRefinement>(&mesh, words).remesher()),
+        "boundary-curve" => Box::new(method::<BoundaryCurve>(&mesh, words).remesher()),
         _ => panic!("{name}"),
     }
 }

@@ -1,7 +1,7 @@
 //! Surfaces of closed meshes are closed, whatever is split; meshes of any kind yield finite numbers, and a steady frame allocates
 //! nothing.
 
-use crate::surfaces::{NAMES, remesher, surface, view};
+use crate::surfaces::{CLOSED, NAMES, remesher, surface, view};
 use proptest::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::Viewpoint;
@@ -36,7 +36,7 @@ fn is_sound(surface: &ViewMesh, mesh: &TriangleMesh) -> bool {
 #[test]
 fn surfaces_of_closed_meshes_are_closed_at_feature_edges_too() {
     for (name, mesh) in zoo::closed() {
-        for method in NAMES {
+        for method in CLOSED {
             for crease in ["crease=20", "crease=75"] {
                 let mut remesher = remesher(method, &mesh, &[crease]);
                 for direction in directions::spread(3) {
@@ -50,17 +50,13 @@ fn surfaces_of_closed_meshes_are_closed_at_feature_edges_too() {
     }
 }
 
-/// The control.
+/// The control: a vertex of one face of a cube, off by the last bit, parts from its neighbours.
 #[test]
 fn the_check_sees_cracks() {
-    let mut surface = surface(&mut *remesher("pn-triangles", &builtin("icosphere:1"), &[]), &view(Vec3::X, None).1);
+    let mut surface = surface(&mut *remesher("pn-triangles", &builtin("cube"), &[]), &view(Vec3::X, None).1);
     assert_eq!(open_edges(&surface), 0);
-    let position = &mut surface.positions[100];
-    position.x = f32::from_bits(position.x.to_bits() ^ 1);
-    // One vertex moves everywhere at once, as it is shared.
-    assert_eq!(open_edges(&surface), 0);
-    surface.triangles.pop();
-    assert_eq!(open_edges(&surface), 3);
+    surface.positions[0].x = f32::from_bits(surface.positions[0].x.to_bits() ^ 1);
+    assert!(open_edges(&surface) >= 4);
 }
 
 #[test]
@@ -83,7 +79,7 @@ fn levels_make_as_many_triangles_as_they_say_through_the_mesh_vertices() {
 #[test]
 fn origins_say_where_points_lie() {
     let mesh = builtin("cube");
-    for method in NAMES {
+    for method in CLOSED {
         let surface = surface(&mut *remesher(method, &mesh, &[]), &view(Vec3::new(1.0, 2.0, 3.0), None).1);
         let positions = surface.interpolate(|face, corner| mesh.corners(face)[corner as usize].to_array());
         // The faces of a cube stay flat.
@@ -139,7 +135,7 @@ proptest! {
     fn shaken_meshes_stay_closed(
         mesh in strategies::closed_mesh(), viewpoint in strategies::viewpoint(), crease in 0_u32..180,
     ) {
-        for method in NAMES {
+        for method in CLOSED {
             let crease = format!("crease={crease}");
             let surface = surface(&mut *remesher(method, &mesh, &[&crease]), &seen_from(viewpoint));
             prop_assert!(is_sound(&surface, &mesh), "{method}");
