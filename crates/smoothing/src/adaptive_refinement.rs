@@ -22,8 +22,8 @@ use crate::eye::{Eye, SmoothingView};
 use crate::face_splitter::{FaceSplitter, Patch, Splitting};
 use crate::hermite::Hermite;
 use crate::pn_triangles::PnPatch;
-use crate::shading::Shading;
 use crate::shading_mesh::{ShadingMesh, face_normal};
+use crate::shading_normals::NormalWeights;
 use crate::side_curves::side_curves;
 use crate::tessellation::check_size;
 use crate::view_mesh::{Remesher, ViewMesh};
@@ -41,16 +41,14 @@ silhouette_core::method_options! {
         /// How often the sides of patches are halved: each patch becomes 4 to this power triangles.
         pub halvings: u32 = whole("halvings", 0..=4, default 2),
         /// Angle between the view and the plane of a face up to which its edges are wholly curved.
-        pub full_deg: f64 = number("full", 0.0..=90.0 "deg", default 10.0),
+        pub full_deg: f64 = number("full", 0.0..=90.0 "degrees", default 10.0),
         /// Angle between the view and the planes of its faces from which an edge is straight; edges are wholly curved or straight
         /// if this is not above full.
-        pub none_deg: f64 = number("none", 0.0..=90.0 "deg", default 25.0),
+        pub none_deg: f64 = number("none", 0.0..=90.0 "degrees", default 25.0),
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth.
-        pub crease_deg: f64 = number("crease", 0.0..=180.0 "deg", default 75.0),
-        /// How faces look: lit from the viewer's upper left, or in one grey.
-        pub shading: Shading = choice("shading"),
-        /// Brightness of the surface, sRGB as displayed: 0 is black, 1 white.
-        pub grey: f64 = number("grey", 0.0..=1.0, default 1.0),
+        pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
+        /// How much each face counts in the normal of a vertex.
+        pub normals: NormalWeights = choice("normals"),
     }
 }
 
@@ -88,7 +86,7 @@ impl Method for AdaptiveRefinement {
         options.validate()?;
         let segments = 1 << options.halvings;
         check_size(mesh.mesh().face_count(), segments)?;
-        let mesh = Arc::new(ShadingMesh::new(mesh, options.crease_deg, Self::INFO.name, progress)?);
+        let mesh = Arc::new(ShadingMesh::new(mesh, options.crease_deg, options.normals, Self::INFO.name, progress)?);
         let faces = (0..mesh.triangles().len()).map(FaceId::from_usize);
         let normals = faces.map(|face| face_normal(mesh.mesh().corners(face)).unwrap_or(DVec3::ZERO)).collect();
         let curves = side_curves(&mesh);
@@ -116,6 +114,11 @@ impl AdaptiveRefinement {
     /// Its options.
     pub fn options(&self) -> &AdaptiveRefinementOptions {
         &self.options
+    }
+
+    /// The mesh with its shading normals.
+    pub fn shading_mesh(&self) -> &ShadingMesh {
+        &self.remesher.mesh
     }
 
     /// What makes its triangles.
@@ -260,34 +263,6 @@ impl Patch for BlendedPatch {
 
     fn normal(&self, _positions: [DVec3; 3], normals: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
         weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2]
-    }
-}
-
-#[cfg(feature = "gpu")]
-mod gpu {
-    use super::{AdaptiveRefinement, AdaptiveRemesher};
-    use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
-    use silhouette_gpu::{FillsImage, MeshBuffers, RendererError, TargetFormats};
-    use std::sync::Arc;
-
-    impl FillsImage for AdaptiveRefinement {
-        type Pipelines = ViewMeshPipelines;
-        type Renderer = ViewMeshRenderer<AdaptiveRemesher>;
-
-        fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<ViewMeshPipelines, RendererError> {
-            Ok(ViewMeshPipelines::new(device, formats, self.options.shading.shade(self.options.grey)))
-        }
-
-        fn renderer(
-            &self,
-            device: &wgpu::Device,
-            _queue: &wgpu::Queue,
-            pipelines: &Arc<ViewMeshPipelines>,
-            mesh: &Arc<MeshBuffers>,
-        ) -> Result<Self::Renderer, RendererError> {
-            let reach = reach(self.remesher.mesh.mesh());
-            Ok(ViewMeshRenderer::new(device, pipelines, mesh, self.remesher(), reach))
-        }
     }
 }
 

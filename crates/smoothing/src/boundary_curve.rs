@@ -21,8 +21,8 @@ use crate::eye::{Eye, SmoothingView};
 use crate::face_splitter::FaceSplitter;
 use crate::hermite::Hermite;
 use crate::sampling::{Sampling, segments};
-use crate::shading::Shading;
 use crate::shading_mesh::ShadingMesh;
+use crate::shading_normals::NormalWeights;
 use crate::side_curves::Side;
 use crate::view_mesh::{Origin, Remesher, ViewMesh};
 use silhouette_core::curves::{CurveKind, CurveSource, SilhouetteCurves};
@@ -42,15 +42,13 @@ silhouette_core::method_options! {
     /// Options of [`BoundaryCurve`].
     pub struct BoundaryCurveOptions {
         /// Turn of the silhouette in the image from which a vertex is a corner, which stays sharp.
-        pub corner_deg: f64 = number("corner", 0.0..=90.0 "deg", default 75.0),
+        pub corner_deg: f64 = number("corner", 0.0..=90.0 "degrees", default 75.0),
         /// Distance to which a curve is drawn by straight segments.
-        pub tolerance_px: f64 = number("tolerance", 0.05..=16.0 "px", default 0.5),
+        pub tolerance_px: f64 = number("tolerance", 0.01..=64.0 "px", default 1.0),
         /// Dihedral angle from which an edge is a feature, across which normals are not interpolated.
-        pub crease_deg: f64 = number("crease", 0.0..=180.0 "deg", default 75.0),
-        /// How faces look: lit from the viewer's upper left, or in one grey.
-        pub shading: Shading = choice("shading"),
-        /// Brightness of the surface, sRGB as displayed: 0 is black, 1 white.
-        pub grey: f64 = number("grey", 0.0..=1.0, default 1.0),
+        pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
+        /// How much each face counts in the normal of a vertex.
+        pub normals: NormalWeights = choice("normals"),
     }
 }
 
@@ -86,7 +84,7 @@ impl Method for BoundaryCurve {
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         options.validate()?;
-        let mesh = ShadingMesh::new(mesh, options.crease_deg, Self::INFO.name, progress)?;
+        let mesh = ShadingMesh::new(mesh, options.crease_deg, options.normals, Self::INFO.name, progress)?;
         Ok(Self { options: *options, loops: LoopCurves::new(Arc::new(mesh), options.corner_deg) })
     }
 
@@ -99,6 +97,11 @@ impl BoundaryCurve {
     /// Its options.
     pub fn options(&self) -> &BoundaryCurveOptions {
         &self.options
+    }
+
+    /// The mesh with its shading normals.
+    pub fn shading_mesh(&self) -> &ShadingMesh {
+        &self.loops.mesh
     }
 
     /// What makes its triangles.
@@ -306,34 +309,6 @@ impl Remesher for BoundaryRemesher {
         }
         self.made = Some((*view, out.positions.len()));
         true
-    }
-}
-
-#[cfg(feature = "gpu")]
-mod gpu {
-    use super::{BoundaryCurve, BoundaryRemesher};
-    use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
-    use silhouette_gpu::{FillsImage, MeshBuffers, RendererError, TargetFormats};
-    use std::sync::Arc;
-
-    impl FillsImage for BoundaryCurve {
-        type Pipelines = ViewMeshPipelines;
-        type Renderer = ViewMeshRenderer<BoundaryRemesher>;
-
-        fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<ViewMeshPipelines, RendererError> {
-            Ok(ViewMeshPipelines::new(device, formats, self.options.shading.shade(self.options.grey)))
-        }
-
-        fn renderer(
-            &self,
-            device: &wgpu::Device,
-            _queue: &wgpu::Queue,
-            pipelines: &Arc<ViewMeshPipelines>,
-            mesh: &Arc<MeshBuffers>,
-        ) -> Result<Self::Renderer, RendererError> {
-            let reach = reach(self.loops.mesh.mesh());
-            Ok(ViewMeshRenderer::new(device, pipelines, mesh, self.remesher(), reach))
-        }
     }
 }
 

@@ -20,6 +20,7 @@
 
 use crate::eye::Eye;
 use crate::shading_mesh::ShadingMesh;
+use crate::shading_normals::NormalWeights;
 use crate::vertex_visibility::visible;
 use silhouette_core::curves::{CurveKind, CurveSource, SilhouetteCurves, SmoothPiece};
 use silhouette_core::glam::Vec3;
@@ -36,7 +37,9 @@ silhouette_core::method_options! {
     /// Options of [`InterpolatedContours`].
     pub struct InterpolatedContoursOptions {
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth and no contour runs.
-        pub crease_deg: f64 = number("crease", 0.0..=180.0 "deg", default 75.0),
+        pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
+        /// How much each face counts in the normal of a vertex.
+        pub normals: NormalWeights = choice("normals"),
     }
 }
 
@@ -73,7 +76,7 @@ impl Method for InterpolatedContours {
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         options.validate()?;
-        let mesh = ShadingMesh::new(mesh, options.crease_deg, Self::INFO.name, progress)?;
+        let mesh = ShadingMesh::new(mesh, options.crease_deg, options.normals, Self::INFO.name, progress)?;
         let (is_visible, is_done) = (vec![true; mesh.positions().len()], vec![false; mesh.triangles().len()]);
         Ok(Self { mesh, is_visible, is_done })
     }

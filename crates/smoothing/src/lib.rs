@@ -44,7 +44,6 @@ pub mod face_splitter;
 pub mod interpolated_contours;
 pub mod phong_tessellation;
 pub mod pn_triangles;
-pub mod shading;
 pub mod side_curves;
 pub mod tessellation;
 
@@ -53,7 +52,6 @@ pub use boundary_curve::{BoundaryCurve, BoundaryCurveOptions};
 pub use interpolated_contours::{InterpolatedContours, InterpolatedContoursOptions};
 pub use phong_tessellation::{PhongTessellation, PhongTessellationOptions};
 pub use pn_triangles::{PnTriangles, PnTrianglesOptions};
-pub use shading::Shading;
 
 #[cfg(test)]
 mod tests;

@@ -13,7 +13,8 @@
 
 use crate::face_splitter::Patch;
 use crate::hermite::Hermite;
-use crate::shading::Shading;
+use crate::shading_mesh::ShadingMesh;
+use crate::shading_normals::NormalWeights;
 use crate::tessellation::Tessellation;
 use silhouette_core::glam::DVec3;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
@@ -30,11 +31,9 @@ silhouette_core::method_options! {
         /// How far points are drawn towards the projections: 0 leaves faces flat.
         pub alpha: f64 = number("alpha", 0.0..=1.0, default 0.75),
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth.
-        pub crease_deg: f64 = number("crease", 0.0..=180.0 "deg", default 75.0),
-        /// How faces look: lit from the viewer's upper left, or in one grey.
-        pub shading: Shading = choice("shading"),
-        /// Brightness of the surface, sRGB as displayed: 0 is black, 1 white.
-        pub grey: f64 = number("grey", 0.0..=1.0, default 1.0),
+        pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
+        /// How much each face counts in the normal of a vertex.
+        pub normals: NormalWeights = choice("normals"),
     }
 }
 
@@ -70,9 +69,9 @@ impl Method for PhongTessellation {
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         options.validate()?;
-        let PhongTessellationOptions { level, alpha, crease_deg, .. } = *options;
+        let PhongTessellationOptions { level, alpha, crease_deg, normals } = *options;
         let patch = PhongPatch { alpha };
-        let tessellation = Tessellation::new(mesh, patch, level, crease_deg, Self::INFO.name, progress)?;
+        let tessellation = Tessellation::new(mesh, patch, level, crease_deg, normals, Self::INFO.name, progress)?;
         Ok(Self { options: *options, tessellation })
     }
 
@@ -85,6 +84,11 @@ impl PhongTessellation {
     /// Its options.
     pub fn options(&self) -> &PhongTessellationOptions {
         &self.options
+    }
+
+    /// The mesh with its shading normals.
+    pub fn shading_mesh(&self) -> &ShadingMesh {
+        self.tessellation.mesh()
     }
 
     /// What makes its triangles, the same for every view.
@@ -119,35 +123,6 @@ impl Patch for PhongPatch {
 
     fn normal(&self, _positions: [DVec3; 3], normals: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
         weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2]
-    }
-}
-
-#[cfg(feature = "gpu")]
-mod gpu {
-    use super::{PhongPatch, PhongTessellation};
-    use crate::tessellation::Tessellation;
-    use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
-    use silhouette_gpu::{FillsImage, MeshBuffers, RendererError, TargetFormats};
-    use std::sync::Arc;
-
-    impl FillsImage for PhongTessellation {
-        type Pipelines = ViewMeshPipelines;
-        type Renderer = ViewMeshRenderer<Tessellation<PhongPatch>>;
-
-        fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<ViewMeshPipelines, RendererError> {
-            Ok(ViewMeshPipelines::new(device, formats, self.options.shading.shade(self.options.grey)))
-        }
-
-        fn renderer(
-            &self,
-            device: &wgpu::Device,
-            _queue: &wgpu::Queue,
-            pipelines: &Arc<ViewMeshPipelines>,
-            mesh: &Arc<MeshBuffers>,
-        ) -> Result<Self::Renderer, RendererError> {
-            let reach = reach(self.tessellation.mesh().mesh());
-            Ok(ViewMeshRenderer::new(device, pipelines, mesh, self.remesher(), reach))
-        }
     }
 }
 

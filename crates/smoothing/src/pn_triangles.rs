@@ -14,7 +14,8 @@
 
 use crate::face_splitter::Patch;
 use crate::hermite::Hermite;
-use crate::shading::Shading;
+use crate::shading_mesh::ShadingMesh;
+use crate::shading_normals::NormalWeights;
 use crate::tessellation::Tessellation;
 use silhouette_core::glam::DVec3;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
@@ -29,11 +30,9 @@ silhouette_core::method_options! {
         /// Points inserted per side: each face becomes (level + 1)² triangles.
         pub level: u32 = whole("level", 0..=15, default 3),
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth.
-        pub crease_deg: f64 = number("crease", 0.0..=180.0 "deg", default 75.0),
-        /// How faces look: lit from the viewer's upper left, or in one grey.
-        pub shading: Shading = choice("shading"),
-        /// Brightness of the surface, sRGB as displayed: 0 is black, 1 white.
-        pub grey: f64 = number("grey", 0.0..=1.0, default 1.0),
+        pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
+        /// How much each face counts in the normal of a vertex.
+        pub normals: NormalWeights = choice("normals"),
     }
 }
 
@@ -69,8 +68,8 @@ impl Method for PnTriangles {
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         options.validate()?;
-        let PnTrianglesOptions { level, crease_deg, .. } = *options;
-        let tessellation = Tessellation::new(mesh, PnPatch, level, crease_deg, Self::INFO.name, progress)?;
+        let PnTrianglesOptions { level, crease_deg, normals } = *options;
+        let tessellation = Tessellation::new(mesh, PnPatch, level, crease_deg, normals, Self::INFO.name, progress)?;
         Ok(Self { options: *options, tessellation })
     }
 
@@ -83,6 +82,11 @@ impl PnTriangles {
     /// Its options.
     pub fn options(&self) -> &PnTrianglesOptions {
         &self.options
+    }
+
+    /// The mesh with its shading normals.
+    pub fn shading_mesh(&self) -> &ShadingMesh {
+        self.tessellation.mesh()
     }
 
     /// What makes its triangles, the same for every view.
@@ -127,39 +131,9 @@ impl Patch for PnPatch {
     }
 }
 
-#[cfg(feature = "gpu")]
-mod gpu {
-    use super::{PnPatch, PnTriangles};
-    use crate::tessellation::Tessellation;
-    use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
-    use silhouette_gpu::{FillsImage, MeshBuffers, RendererError, TargetFormats};
-    use std::sync::Arc;
-
-    impl FillsImage for PnTriangles {
-        type Pipelines = ViewMeshPipelines;
-        type Renderer = ViewMeshRenderer<Tessellation<PnPatch>>;
-
-        fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<ViewMeshPipelines, RendererError> {
-            Ok(ViewMeshPipelines::new(device, formats, self.options.shading.shade(self.options.grey)))
-        }
-
-        fn renderer(
-            &self,
-            device: &wgpu::Device,
-            _queue: &wgpu::Queue,
-            pipelines: &Arc<ViewMeshPipelines>,
-            mesh: &Arc<MeshBuffers>,
-        ) -> Result<Self::Renderer, RendererError> {
-            let reach = reach(self.tessellation.mesh().mesh());
-            Ok(ViewMeshRenderer::new(device, pipelines, mesh, self.remesher(), reach))
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shading_mesh::ShadingMesh;
     use crate::side_curves::side_curves;
     use silhouette_core::NoProgress;
     use silhouette_core::glam::Vec3;
@@ -167,7 +141,14 @@ mod tests {
 
     #[test]
     fn the_patch_has_its_sides_as_sides() {
-        let mesh = ShadingMesh::new(&PreparedMesh::new(builtin("icosphere:0")), 75.0, "test", &NoProgress).unwrap();
+        let mesh = ShadingMesh::new(
+            &PreparedMesh::new(builtin("icosphere:0")),
+            75.0,
+            NormalWeights::Area,
+            "test",
+            &NoProgress,
+        )
+        .unwrap();
         let curves = side_curves(&mesh);
         let curve = |from: DVec3, to: DVec3| {
             let is_it = |curve: &&Hermite| curve.ends == [from, to] || curve.ends == [to, from];

@@ -89,11 +89,13 @@ fn in_both_planes(chord: DVec3, a: Vec3, b: Vec3) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shading_normals::NormalWeights;
     use silhouette_core::{NoProgress, PreparedMesh};
     use silhouette_testing::builtin;
 
     fn curves(name: &str) -> (ShadingMesh, PerEdge<Hermite>) {
-        let mesh = ShadingMesh::new(&PreparedMesh::new(builtin(name)), 75.0, "test", &NoProgress).unwrap();
+        let mesh = ShadingMesh::new(&PreparedMesh::new(builtin(name)), 75.0, NormalWeights::Area, "test", &NoProgress)
+            .unwrap();
         let curves = side_curves(&mesh);
         (mesh, curves)
     }

@@ -5,6 +5,7 @@ use crate::eye::SmoothingView;
 use crate::face_splitter::{FaceSplitter, Patch, Splitting};
 use crate::hermite::Hermite;
 use crate::shading_mesh::ShadingMesh;
+use crate::shading_normals::NormalWeights;
 use crate::side_curves::side_curves;
 use crate::view_mesh::{Remesher, ViewMesh};
 use silhouette_core::id::PerEdge;
@@ -57,12 +58,13 @@ impl<P: Patch> Tessellation<P> {
         patch: P,
         level: u32,
         crease_deg: f64,
+        weights: NormalWeights,
         asker: &'static str,
         progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         let segments = level + 1;
         check_size(mesh.mesh().face_count(), segments)?;
-        let mesh = ShadingMesh::new(mesh, crease_deg, asker, progress)?;
+        let mesh = ShadingMesh::new(mesh, crease_deg, weights, asker, progress)?;
         let curves = Arc::new(side_curves(&mesh));
         Ok(Self { mesh: Arc::new(mesh), curves, patch, segments, splitter: FaceSplitter::default(), made: None })
     }
