@@ -68,7 +68,7 @@ impl Method for BoundaryCurve {
         name: "boundary-curve",
         summary: "Draws curves through the vertices of the silhouette edges, and fills the area between edges and curves.",
         source: Source {
-            authors: "Bin Wang, Wenping Wang, Jiaye Wu, Jiaguang Sun",
+            authors: "B. Wang, W. Wang, J. Wu, J. Sun",
             title: "Silhouette smoothing by boundary curve interpolation",
             venue: "CAD/Graphics",
             year: 2003,

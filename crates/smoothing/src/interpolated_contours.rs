@@ -1,6 +1,6 @@
 //! Contours of a smooth surface on its coarse triangles: the zero set of N . (E - V), interpolated.
 //!
-//! A. Hertzmann and D. Zorin, "Illustrating smooth surfaces", SIGGRAPH 2000, section 4:
+//! A. Hertzmann and D. Zorin, "Illustrating smooth surfaces", SIGGRAPH 2000:
 //!
 //! 1. g = N . (E - V) at each vertex V with normal N, E being the eye; for parallel projection the direction towards the viewer
 //!    takes the place of E - V,
@@ -12,7 +12,7 @@
 //!
 //! Departures:
 //!
-//! 1. g of 0 counts as positive, as everywhere in this crate, where the paper moves the value a little.
+//! 1. g of 0 counts as positive, as everywhere in this crate.
 //! 2. A chain ends at feature edges too, where g differs on both sides.
 //!
 //! Chains have the visible side on their left, seen from outside. They are ordered by the lowest face, at which a closed one

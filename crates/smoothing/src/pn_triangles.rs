@@ -1,7 +1,6 @@
 //! Curved PN triangles: a cubic patch over each face, from the positions and normals of its corners alone.
 //!
-//! A. Vlachos, J. Peters, C. Boyd and J. L. Mitchell, "Curved PN triangles", Symposium on Interactive 3D Graphics (I3D) 2001,
-//! section 3:
+//! A. Vlachos, J. Peters, C. Boyd and J. L. Mitchell, "Curved PN triangles", Symposium on Interactive 3D Graphics (I3D) 2001:
 //!
 //! 1. a cubic over each edge, whose tangents at the ends are the edge less its part along the normal ([`crate::side_curves`]),
 //! 2. the control point in the middle, b111: the average E of the six on the sides, moved on by half its way from the average of

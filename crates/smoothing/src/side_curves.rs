@@ -1,6 +1,6 @@
 //! A cubic over each edge of a mesh, from which curved patches are made: the sides of PN triangles, watertight at feature edges.
 //!
-//! Vlachos, Peters, Boyd and Mitchell, "Curved PN triangles", I3D 2001, section 3: the tangent at an end is the edge less its
+//! Vlachos, Peters, Boyd and Mitchell, "Curved PN triangles", I3D 2001: the tangent at an end is the edge less its
 //! part along the normal there. Departures:
 //!
 //! 1. Where the faces at an edge have normals of their own, the paper's sides differ and the surface cracks. Here both faces have

@@ -1,7 +1,6 @@
 use super::*;
 use crate::cost::{FrameSample, PrepareCost};
-use crate::drawing::DrawError;
-use crate::drawing::pictures_of;
+use crate::drawing::{DrawError, pictures_of};
 use crate::metrics::{FilledPicture, PictureKind, PictureMetrics};
 use crate::options::{OptionSetting, OptionSettings};
 use crate::record::{CameraRecord, Cell};
