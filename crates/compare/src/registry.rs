@@ -19,7 +19,9 @@ use silhouette_baselines::FineMesh;
 use silhouette_core::Method;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_image_precision::ImagePrecision;
-use silhouette_smoothing::Smoothing;
+use silhouette_smoothing::{
+    AdaptiveRefinement, BoundaryCurve, InterpolatedContours, PhongTessellation, PnTriangles, Smoothing,
+};
 use silhouette_tracking::{ExactTracking, Tracking};
 
 /// The baseline: speeds are stated as ratios to it.
@@ -54,6 +56,11 @@ impl Registry {
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<FineMesh>().fill())
             .with(Entry::of::<Smoothing>().curves().fill())
+            .with(Entry::of::<InterpolatedContours>().curves())
+            .with(Entry::of::<BoundaryCurve>().curves().fill())
+            .with(Entry::of::<PnTriangles>().fill())
+            .with(Entry::of::<PhongTessellation>().fill())
+            .with(Entry::of::<AdaptiveRefinement>().fill())
     }
 
     /// The same methods and one more; one of the same name is replaced.

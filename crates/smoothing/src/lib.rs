@@ -37,5 +37,21 @@ pub mod view_mesh_renderer;
 #[cfg(feature = "gpu")]
 pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 
+// The methods that compete with smoothing.
+pub mod adaptive_refinement;
+pub mod boundary_curve;
+pub mod face_splitter;
+pub mod interpolated_contours;
+pub mod phong_tessellation;
+pub mod pn_triangles;
+pub mod side_curves;
+pub mod tessellation;
+
+pub use adaptive_refinement::{AdaptiveRefinement, AdaptiveRefinementOptions};
+pub use boundary_curve::{BoundaryCurve, BoundaryCurveOptions};
+pub use interpolated_contours::{InterpolatedContours, InterpolatedContoursOptions};
+pub use phong_tessellation::{PhongTessellation, PhongTessellationOptions};
+pub use pn_triangles::{PnTriangles, PnTrianglesOptions};
+
 #[cfg(test)]
 mod tests;
