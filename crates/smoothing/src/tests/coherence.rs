@@ -38,20 +38,29 @@ impl Traced {
         let to_next = |source: &CurveSource, point: DVec2| {
             let same_face = next.0.get(source).map_or(f64::INFINITY, |line| to_polyline(point, line));
             // Where the silhouette has left a face, or slid along it, it may be close elsewhere.
-            if same_face < 0.05 { same_face } else { next.0.values().map(|line| to_polyline(point, line)).fold(same_face, f64::min) }
+            if same_face < 0.05 {
+                same_face
+            } else {
+                next.0.values().map(|line| to_polyline(point, line)).fold(same_face, f64::min)
+            }
         };
-        self.0.iter().flat_map(|(source, line)| line.iter().map(move |&point| to_next(source, point))).fold(0.0, f64::max)
+        self.0
+            .iter()
+            .flat_map(|(source, line)| line.iter().map(move |&point| to_next(source, point)))
+            .fold(0.0, f64::max)
     }
 }
 
 /// The movement from frame to frame in pixels, the eye turning by 0.01 degree.
 fn movements(name: &str, distance: f64, newton_steps: u32, frames: u32) -> Vec<f64> {
-    let mut method = shape(name, SmoothingOptions { newton_steps, normals: NormalWeights::Sphere, ..Default::default() });
+    let mut method =
+        shape(name, SmoothingOptions { newton_steps, normals: NormalWeights::Sphere, ..Default::default() });
     let mut curves = SilhouetteCurves::default();
     let mut last = Traced::default();
     let mut moves = Vec::new();
     for frame in 0..frames {
-        let turn = DQuat::from_axis_angle(DVec3::new(0.3, 1.0, 0.2).normalize(), (f64::from(frame) * 0.01).to_radians());
+        let turn =
+            DQuat::from_axis_angle(DVec3::new(0.3, 1.0, 0.2).normalize(), (f64::from(frame) * 0.01).to_radians());
         let eye = turn * (DVec3::new(0.4, 0.5, 0.8).normalize() * distance);
         let projection = Projection::Perspective { fov_y_rad: 2.4 / distance };
         let camera = Camera::new(eye.as_vec3(), Vec3::ZERO, Vec3::Y, projection, [1024; 2]).unwrap();
@@ -73,15 +82,32 @@ fn at_share(moves: &[f64], share: f64) -> f64 {
 
 #[test]
 fn pops() {
-    for (name, fine, d) in [("icosphere:1", "icosphere:4", 1.2), ("icosphere:1", "icosphere:4", 2.5), ("icosphere:2","icosphere:4", 1.2), ("torus:24,12","torus:96,48", 2.5), ("torus:24,12","torus:96,48", 5.0)] {
+    for (name, fine, d) in [
+        ("icosphere:1", "icosphere:4", 1.2),
+        ("icosphere:1", "icosphere:4", 2.5),
+        ("icosphere:2", "icosphere:4", 1.2),
+        ("torus:24,12", "torus:96,48", 2.5),
+        ("torus:24,12", "torus:96,48", 5.0),
+    ] {
         let frames = 2000;
         let fine = movements(fine, d, 3, 200);
-        println!("{name} fine: median {:.3} p99 {:.3} max {:.3}", at_share(&fine, 0.5), at_share(&fine, 0.99), at_share(&fine, 1.0));
+        println!(
+            "{name} fine: median {:.3} p99 {:.3} max {:.3}",
+            at_share(&fine, 0.5),
+            at_share(&fine, 0.99),
+            at_share(&fine, 1.0)
+        );
         for newton in [0, 3] {
             let m = movements(name, d, newton, frames);
             let over = m.iter().filter(|x| **x > 2.0 * at_share(&fine, 0.5)).count();
             let pops = m.iter().filter(|x| **x > 0.2).count();
-            println!("{name} {d} newton {newton}: median {:.3} p99 {:.3} p99.9 {:.3} max {:.3} over {over} pops {pops}", at_share(&m, 0.5), at_share(&m, 0.99), at_share(&m, 0.999), at_share(&m, 1.0));
+            println!(
+                "{name} {d} newton {newton}: median {:.3} p99 {:.3} p99.9 {:.3} max {:.3} over {over} pops {pops}",
+                at_share(&m, 0.5),
+                at_share(&m, 0.99),
+                at_share(&m, 0.999),
+                at_share(&m, 1.0)
+            );
         }
     }
 }

