@@ -1,6 +1,5 @@
 //! Tests of the whole method.
 
-#[cfg(any())]
 mod coherence;
 mod outlines;
 mod remeshed;
