@@ -18,6 +18,7 @@ use crate::options::SmoothingOptions;
 use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_points::{SilhouettePoint, silhouette_point};
 use crate::silhouette_triangles::SilhouetteTriangle;
+use silhouette_core::glam::DVec3;
 use silhouette_core::id::HalfEdgeId;
 use silhouette_core::topology::Twin;
 
@@ -34,23 +35,30 @@ silhouette_core::option_choice! {
 /// The curve between two silhouette points of a view.
 pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> Hermite {
     let positions = ends.map(|end| end.position);
-    let in_space = bridge(positions, ends.map(|end| end.normal));
+    let in_space = || bridge(positions, ends.map(|end| end.normal));
     if law == SegmentLaw::AsPrinted {
-        return in_space;
+        return in_space();
     }
     let chord = positions[1] - positions[0];
-    let views = positions.map(|position| eye.toward(position).normalize_or_zero());
-    let along = (views[0] + views[1]).normalize_or_zero();
-    let depth = chord.dot(along) * along;
+    let views = positions.map(|position| eye.toward(position));
+    // For an eye, the sum of the unit vectors towards it, times both their lengths.
+    let along =
+        if eye.position().is_some() { views[0] * views[1].length() + views[1] * views[0].length() } else { views[0] };
+    // An eye on one of the points sees no depth.
+    let depth = chord.dot(along) / along.length_squared().max(f64::MIN_POSITIVE) * along;
     let across = chord - depth;
     let directions = [0, 1].map(|i| {
         let direction = ends[i].normal.cross(views[i]);
         if direction.dot(across) < 0.0 { -direction } else { direction }
     });
-    let flat = Hermite::along([positions[0], positions[0] + across], directions);
-    let cosines = directions.map(|direction| direction.dot(across) / (direction.length() * across.length()));
-    let share = share_in_image(cosines[0].min(cosines[1]));
-    let tangents = [0, 1].map(|i| in_space.tangents[i].lerp(flat.tangents[i] + depth, share));
+    let squares = directions.map(|direction| direction.dot(across).powi(2) / direction.length_squared());
+    let share = share_in_image((squares[0].min(squares[1]) / across.length_squared()).sqrt());
+    let flat = Hermite::along([DVec3::ZERO, across], directions);
+    let mut tangents = flat.tangents.map(|tangent| tangent + depth);
+    if share < 1.0 {
+        let in_space = in_space();
+        tangents = [0, 1].map(|i| in_space.tangents[i].lerp(tangents[i], share));
+    }
     Hermite { ends: positions, tangents }
 }
 

@@ -169,18 +169,12 @@ impl Smoothing {
             if is_concave(ends)
                 && let Some(plane) = blocking_plane(segment, ends, eye)
             {
-                self.perturber.push(mesh, segment.triangle.face, plane);
+                self.perturber.push(segment.triangle.face, plane);
                 concave += 1;
             }
         }
-        // Shading vertices are sorted by vertex, as are the moves.
-        let mut at = 0;
         for &(vertex, to) in self.perturber.moved(mesh) {
-            at += mesh.vertices()[at..].partition_point(|&other| other < vertex);
-            while mesh.vertices().get(at) == Some(&vertex) {
-                out.positions[at] = to.as_vec3();
-                at += 1;
-            }
+            out.positions[mesh.shading_vertices(vertex)].fill(to.as_vec3());
         }
         concave
     }
