@@ -5,6 +5,8 @@
 //! nanoseconds per silhouette triangle. The answer of each view is checked before it is timed: the surface is closed where the
 //! mesh is, which every row asserts once.
 
+#![allow(clippy::print_stdout, reason = "the table is the output")]
+
 use silhouette_core::view::{Camera, Framing};
 use silhouette_core::{Method, PreparedMesh, Topology, TriangleMesh, shapes, simplify};
 use silhouette_smoothing::{Smoothing, SmoothingOptions, SmoothingView, ViewMesh};

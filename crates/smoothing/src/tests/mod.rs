@@ -1,6 +1,8 @@
 //! Tests of the whole method.
 
 mod coherence;
+#[cfg(feature = "gpu")]
+mod cracks;
 mod outlines;
 mod remeshed;
 
