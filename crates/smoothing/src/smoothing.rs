@@ -22,7 +22,7 @@ use silhouette_core::{
 };
 use std::sync::Arc;
 
-/// Silhouettes of a coarse mesh as smooth curves, and the mesh re-meshed around them. See the [crate](crate).
+/// Silhouettes of a coarse mesh as smooth curves, and the mesh re-meshed around them. See the [crate].
 ///
 /// O(V + F) per view for classification and output, O(S) for curves, S being the number of silhouette triangles.
 #[derive(Debug, Clone)]
