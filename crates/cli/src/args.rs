@@ -59,6 +59,15 @@ pub enum Command {
         silhouettes render bunny.obj --method image-precision --transparent -o lines.png\n  \
         silhouettes render bunny.obj --method fine-mesh -o surface.png")]
     Render(RenderArguments),
+    /// Smooth the outline of a coarse mesh in one view: its triangles as an OBJ, or its picture as a PNG
+    #[command(after_help = "Examples:\n  \
+        silhouettes smooth coarse.obj -o smooth.png\n  \
+        silhouettes smooth builtin:icosphere:1 --view iso --set tolerance=0.25 -o smooth.obj\n  \
+        silhouettes smooth coarse.obj --set crease=40 --ortho fit --view front -o smooth.obj\n\n\
+        An OBJ holds the triangles that stand for the mesh in this view, in its own coordinates: positions once each (v), a\n\
+        normal a corner (vn), so that the surface is closed where the mesh is. A PNG is the picture that `render` draws. On\n\
+        stderr: triangles before and after, and of methods with curves also silhouette triangles and curves.")]
+    Smooth(SmoothArguments),
     /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes compare bunny.obj -o out/bunny\n  \
@@ -138,6 +147,27 @@ pub struct RenderArguments {
     #[arg(long)]
     pub transparent: bool,
     /// Output file (.png)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+}
+
+/// Arguments of `smooth`.
+#[derive(Debug, Args)]
+pub struct SmoothArguments {
+    /// Mesh file or builtin:NAME
+    pub mesh: String,
+    /// Name of the method: for a PNG one that fills its image, for an OBJ one that makes triangles for each view
+    #[arg(long, value_name = "NAME", default_value = "smoothing")]
+    pub method: String,
+    /// An option of the method; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Samples per pixel of a PNG: 1, or 4 for smooth outlines
+    #[arg(long, value_name = "N", default_value = "4", value_parser = samples)]
+    pub samples: u32,
+    /// Output file: .obj or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     #[command(flatten)]

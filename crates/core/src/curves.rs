@@ -10,7 +10,8 @@ use glam::{DVec3, Vec3};
 use std::ops::Range;
 
 /// Why a curve is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum CurveKind {
     /// Front faces meet back faces there.
     Silhouette,
@@ -18,6 +19,17 @@ pub enum CurveKind {
     Boundary,
     /// The surface bends sharply there, whatever the view.
     Crease,
+}
+
+impl CurveKind {
+    /// The name used on command lines and in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Silhouette => "silhouette",
+            Self::Boundary => "boundary",
+            Self::Crease => "crease",
+        }
+    }
 }
 
 /// What a piece of curve stands for in the mesh.

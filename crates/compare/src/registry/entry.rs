@@ -5,6 +5,7 @@ use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOp
 use silhouette_core::{SilhouetteEdges, Viewpoint};
 use silhouette_gpu::{DrawsLines, FillsImage, FrameRenderer, MeshBuffers, PenPlacement, RendererError, TargetFormats};
 use silhouette_render::Gpu;
+use silhouette_smoothing::Remesher;
 use std::fmt;
 use std::sync::Arc;
 
@@ -21,6 +22,8 @@ pub struct Capabilities {
     pub lines: bool,
     /// Fills the image of the mesh.
     pub fill: bool,
+    /// Makes triangles of its own for each view.
+    pub triangles: bool,
 }
 
 /// A method of a registry.
@@ -37,7 +40,7 @@ type PrepareFn =
 impl Entry {
     /// Begins an entry of the method `M`, which can do nothing yet.
     pub fn of<M: Method>() -> EntryBuilder<M> {
-        EntryBuilder(Views { edges: None, loops: None, curves: None, lines: None, fill: None })
+        EntryBuilder(Views { edges: None, loops: None, curves: None, lines: None, fill: None, triangles: None })
     }
 
     /// What the method says of itself.
@@ -77,6 +80,7 @@ struct Views<M> {
     curves: Option<fn(&mut M) -> &mut dyn ExtractsCurves>,
     lines: Option<fn(&M) -> &dyn LineMethod>,
     fill: Option<fn(&M) -> &dyn FillMethod>,
+    triangles: Option<fn(&mut M) -> &mut dyn Remesher>,
 }
 
 impl<M> Clone for Views<M> {
@@ -135,6 +139,15 @@ impl<M: Method> EntryBuilder<M> {
     {
         Self(Views { fill: Some(|method| method), ..self.0 })
     }
+
+    /// Adds triangles that the method makes for each view.
+    #[must_use]
+    pub fn triangles(self) -> Self
+    where
+        M: Remesher,
+    {
+        Self(Views { triangles: Some(|method| method), ..self.0 })
+    }
 }
 
 impl<M: Method> From<EntryBuilder<M>> for Entry {
@@ -145,6 +158,7 @@ impl<M: Method> From<EntryBuilder<M>> for Entry {
             curves: views.curves.is_some(),
             lines: views.lines.is_some(),
             fill: views.fill.is_some(),
+            triangles: views.triangles.is_some(),
         };
         let prepare: Arc<PrepareFn> = Arc::new(move |mesh, options, progress| {
             let method = M::prepare(mesh, &M::Options::read(options)?, progress)?;
@@ -191,6 +205,11 @@ impl Prepared {
     /// The method as one that fills images.
     pub fn fill(&self) -> Option<&dyn FillMethod> {
         self.0.fill()
+    }
+
+    /// The method as one that makes triangles of its own for each view.
+    pub fn triangles(&mut self) -> Option<&mut dyn Remesher> {
+        self.0.triangles()
     }
 }
 
@@ -262,6 +281,7 @@ trait Answers: Send {
     fn curves(&mut self) -> Option<&mut dyn ExtractsCurves>;
     fn lines(&self) -> Option<&dyn LineMethod>;
     fn fill(&self) -> Option<&dyn FillMethod>;
+    fn triangles(&mut self) -> Option<&mut dyn Remesher>;
 }
 
 /// A prepared method with its views.
@@ -292,6 +312,9 @@ impl<M: Method> Answers for Seen<M> {
     }
     fn fill(&self) -> Option<&dyn FillMethod> {
         Some(self.views.fill?(&self.method))
+    }
+    fn triangles(&mut self) -> Option<&mut dyn Remesher> {
+        Some(self.views.triangles?(&mut self.method))
     }
 }
 
