@@ -30,14 +30,19 @@ pub enum Command {
     /// Count and check a mesh: components, genus, boundary loops and every defect with its ids
     #[command(after_help = "Examples:\n  silhouettes inspect bunny.obj\n  silhouettes inspect builtin:moebius --json")]
     Inspect(InspectArguments),
-    /// Find silhouette edges and loops; write JSON, SVG or OBJ
+    /// Find silhouette edges, loops and smooth curves; write JSON, SVG or OBJ
     #[command(after_help = "Examples:\n  \
         silhouettes extract bunny.obj --eye 0,0.1,1\n  \
         silhouettes extract builtin:torus --view iso -o torus.svg\n  \
-        silhouettes extract part.stl --ortho fit --view front -o outline.obj\n\n\
+        silhouettes extract part.stl --ortho fit --view front -o outline.obj\n  \
+        silhouettes extract coarse.obj --method smoothing -o smooth.svg\n\n\
         JSON: {\"method\", \"mesh\": {\"vertices\", \"triangles\"}, \"viewpoint\", \"edges\": [[a,b]...], \"boundary\": [[a,b]...],\n\
         \"loops\": [[v...]...], \"stats\"}. Edges have a < b and are sorted; \"edges\" holds all silhouette edges, \"boundary\"\n\
-        those among them that have one face only. Loops run with the front face on the left.")]
+        those among them that have one face only. Loops run with the front face on the left. A method with curves adds\n\
+        \"curves\": [{\"closed\", \"pieces\": [{\"kind\": \"silhouette\"|\"boundary\"|\"crease\", \"source\": {\"face\": n} or\n\
+        {\"edge\": [a,b]}, \"control\": [[x,y,z] x 4]}...]}...], cubic Bezier curves in the coordinates of the mesh; one without\n\
+        edges leaves out \"edges\", \"boundary\" and \"loops\". Curves, where there are any, are what SVG and OBJ hold: SVG as\n\
+        cubics within 0.05 pixels, OBJ as polylines within a ten-thousandth of the mesh's extent.")]
     Extract(ExtractArguments),
     /// Draw visible lines, hidden ones removed, as SVG for plotters; also JSON and glTF
     #[command(after_help = "Examples:\n  \
@@ -45,11 +50,13 @@ pub enum Command {
         silhouettes lines part.stl --creases 30 --hidden --page a3 --landscape --width 0.3mm -o part.svg\n  \
         silhouettes lines part.stl --ortho fit --view front --scale 1 -o part-1-to-1.svg\n  \
         silhouettes lines house.obj tree.obj --units px --size 1600x900 --stats -o scene.svg\n  \
-        silhouettes lines part.stl --hidden -o part.json\n\n\
+        silhouettes lines part.stl --hidden -o part.json\n  \
+        silhouettes lines coarse.obj --smooth -o smooth.svg\n\n\
         Kinds: silhouette, boundary, ridge, valley, material, intersection, curve, mesh; for pens also outline.\n\
         An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart.\n\
         JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\
-        \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.")]
+        \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.\n\
+        Chains along smooth curves have no edges but \"curves\", a number for each piece of curve, and \"handles\".")]
     Lines(Box<LinesArguments>),
     /// Draw the lines of one method, or the surface that it fills, to a PNG
     #[command(after_help = "Examples:\n  \

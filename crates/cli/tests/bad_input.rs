@@ -271,7 +271,7 @@ fn arguments() {
     assert!(refused(&["extract", &mesh, "--eye", "1,2"]).contains("three numbers"));
     assert!(refused(&["extract", &mesh, "--eye", "1,2,nan"]).contains("--eye"));
     assert!(refused(&["extract", &mesh, "--method", "brute-farce"]).contains("brute-force"));
-    assert!(refused(&["extract", &mesh, "--method", "image-precision"]).contains("extracts no edges"));
+    assert!(refused(&["extract", &mesh, "--method", "image-precision"]).contains("no edges and no curves"));
     assert!(refused(&["extract", &mesh, "--set", "speed=9"]).contains("speed"));
     assert!(refused(&["extract", "builtin:teacup"]).contains("torus"));
     assert!(refused(&["extract", "builtin:torus:1"]).contains("torus"));

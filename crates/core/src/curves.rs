@@ -3,7 +3,9 @@
 //! A piece ends exactly where the next of its chain begins. A straight piece is a cubic too, so that everything that draws,
 //! measures or flattens curves has one case. Control points are 32-bit, as positions of a mesh are; evaluation is in 64 bits.
 //!
-//! For output as polylines, see [`CurveChain::flatten`].
+//! For output as polylines, see [`CurveChain::flatten`]; as curves in a picture, [`SmoothPiece::picture`].
+
+mod picture;
 
 use crate::id::{EdgeId, FaceId};
 use glam::{DVec3, Vec3};
