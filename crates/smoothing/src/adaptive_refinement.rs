@@ -26,7 +26,7 @@ use crate::shading_mesh::{ShadingMesh, face_normal};
 use crate::shading_normals::NormalWeights;
 use crate::side_curves::side_curves;
 use crate::tessellation::check_size;
-use crate::view_mesh::{Remesher, ViewMesh};
+use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
 use silhouette_core::glam::DVec3;
 use silhouette_core::id::PerEdge;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
@@ -120,9 +120,12 @@ impl AdaptiveRefinement {
     pub fn shading_mesh(&self) -> &ShadingMesh {
         &self.remesher.mesh
     }
+}
 
-    /// What makes its triangles.
-    pub fn remesher(&self) -> AdaptiveRemesher {
+impl MakesTriangles for AdaptiveRefinement {
+    type Remesher = AdaptiveRemesher;
+
+    fn remesher(&self) -> Self::Remesher {
         self.remesher.clone()
     }
 }

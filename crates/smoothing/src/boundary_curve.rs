@@ -24,7 +24,7 @@ use crate::sampling::{Sampling, segments};
 use crate::shading_mesh::ShadingMesh;
 use crate::shading_normals::NormalWeights;
 use crate::side_curves::Side;
-use crate::view_mesh::{Origin, Remesher, ViewMesh};
+use crate::view_mesh::{MakesTriangles, Origin, Remesher, ViewMesh};
 use silhouette_core::curves::{CurveKind, CurveSource, SilhouetteCurves};
 use silhouette_core::glam::DVec3;
 use silhouette_core::loops::LoopWalker;
@@ -103,9 +103,12 @@ impl BoundaryCurve {
     pub fn shading_mesh(&self) -> &ShadingMesh {
         &self.loops.mesh
     }
+}
 
-    /// What makes its triangles.
-    pub fn remesher(&self) -> BoundaryRemesher {
+impl MakesTriangles for BoundaryCurve {
+    type Remesher = BoundaryRemesher;
+
+    fn remesher(&self) -> Self::Remesher {
         let loops = self.loops.clone();
         let (mut splitter, mut faces) = (FaceSplitter::default(), ViewMesh::default());
         splitter.begin(&loops.mesh, &mut faces);

@@ -1,21 +1,16 @@
 //! Filled images of the methods of this crate: white, lit from the viewer's upper left.
 
-use crate::adaptive_refinement::{AdaptiveRefinement, AdaptiveRemesher};
-use crate::boundary_curve::{BoundaryCurve, BoundaryRemesher};
-use crate::phong_tessellation::{PhongPatch, PhongTessellation};
-use crate::pn_triangles::{PnPatch, PnTriangles};
-use crate::smoothing::Smoothing;
-use crate::tessellation::Tessellation;
 use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
+use crate::{AdaptiveRefinement, BoundaryCurve, MakesTriangles, PhongTessellation, PnTriangles, Smoothing};
 use silhouette_gpu::{Color, FillsImage, MeshBuffers, RendererError, Shade, TargetFormats};
 use std::sync::Arc;
 
-/// Implements [`FillsImage`] for a method by the function that makes its remesher.
+/// Implements [`FillsImage`] for methods that make triangles.
 macro_rules! fills_image {
-    ($($method:ty: $remesher:ty = $make:expr;)+) => {$(
+    ($($method:ty),+) => {$(
         impl FillsImage for $method {
             type Pipelines = ViewMeshPipelines;
-            type Renderer = ViewMeshRenderer<$remesher>;
+            type Renderer = ViewMeshRenderer<<Self as MakesTriangles>::Remesher>;
 
             fn pipelines(
                 &self,
@@ -33,16 +28,10 @@ macro_rules! fills_image {
                 mesh: &Arc<MeshBuffers>,
             ) -> Result<Self::Renderer, RendererError> {
                 let reach = reach(self.shading_mesh().mesh());
-                Ok(ViewMeshRenderer::new(device, pipelines, mesh, $make(self), reach))
+                Ok(ViewMeshRenderer::new(device, pipelines, mesh, self.remesher(), reach))
             }
         }
     )+};
 }
 
-fills_image! {
-    Smoothing: Self = Clone::clone;
-    PnTriangles: Tessellation<PnPatch> = Self::remesher;
-    PhongTessellation: Tessellation<PhongPatch> = Self::remesher;
-    BoundaryCurve: BoundaryRemesher = Self::remesher;
-    AdaptiveRefinement: AdaptiveRemesher = Self::remesher;
-}
+fills_image!(Smoothing, PnTriangles, PhongTessellation, BoundaryCurve, AdaptiveRefinement);

@@ -96,7 +96,7 @@ pub use hermite::Hermite;
 pub use options::SmoothingOptions;
 pub use shading_mesh::ShadingMesh;
 pub use smoothing::Smoothing;
-pub use view_mesh::{Origin, Remesher, ViewMesh};
+pub use view_mesh::{MakesTriangles, Origin, Remesher, ViewMesh};
 
 #[cfg(feature = "gpu")]
 mod fills_image;

@@ -16,6 +16,7 @@ use crate::hermite::Hermite;
 use crate::shading_mesh::ShadingMesh;
 use crate::shading_normals::NormalWeights;
 use crate::tessellation::Tessellation;
+use crate::view_mesh::MakesTriangles;
 use silhouette_core::glam::DVec3;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::{Artefact, PreparedMesh};
@@ -90,9 +91,12 @@ impl PhongTessellation {
     pub fn shading_mesh(&self) -> &ShadingMesh {
         self.tessellation.mesh()
     }
+}
 
-    /// What makes its triangles, the same for every view.
-    pub fn remesher(&self) -> Tessellation<PhongPatch> {
+impl MakesTriangles for PhongTessellation {
+    type Remesher = Tessellation<PhongPatch>;
+
+    fn remesher(&self) -> Self::Remesher {
         self.tessellation.clone()
     }
 }

@@ -16,6 +16,7 @@ use crate::hermite::Hermite;
 use crate::shading_mesh::ShadingMesh;
 use crate::shading_normals::NormalWeights;
 use crate::tessellation::Tessellation;
+use crate::view_mesh::MakesTriangles;
 use silhouette_core::glam::DVec3;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::{Artefact, PreparedMesh};
@@ -87,9 +88,12 @@ impl PnTriangles {
     pub fn shading_mesh(&self) -> &ShadingMesh {
         self.tessellation.mesh()
     }
+}
 
-    /// What makes its triangles, the same for every view.
-    pub fn remesher(&self) -> Tessellation<PnPatch> {
+impl MakesTriangles for PnTriangles {
+    type Remesher = Tessellation<PnPatch>;
+
+    fn remesher(&self) -> Self::Remesher {
         self.tessellation.clone()
     }
 }

@@ -14,7 +14,7 @@ use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_segments::SilhouetteSegments;
 use crate::silhouette_triangles::{SilhouetteTriangle, silhouette_triangles};
 use crate::vertex_visibility::VertexVisibility;
-use crate::view_mesh::{Remesher, ViewMesh};
+use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
@@ -187,6 +187,14 @@ impl Remesher for Smoothing {
         self.local_remeshing(out);
         self.perturb(view.eye(), out);
         true
+    }
+}
+
+impl MakesTriangles for Smoothing {
+    type Remesher = Self;
+
+    fn remesher(&self) -> Self {
+        self.clone()
     }
 }
 

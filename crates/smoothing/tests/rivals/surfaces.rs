@@ -8,7 +8,7 @@ use silhouette_smoothing::AdaptiveRefinement;
 use silhouette_smoothing::BoundaryCurve;
 use silhouette_smoothing::PhongTessellation;
 use silhouette_smoothing::PnTriangles;
-use silhouette_smoothing::{Remesher, SmoothingView, ViewMesh};
+use silhouette_smoothing::{MakesTriangles as _, Remesher, SmoothingView, ViewMesh};
 use silhouette_testing::prepare::prepared;
 use std::sync::Arc;
 

@@ -1,12 +1,13 @@
-//! Step 4, merge: points that lie on the line between others are dropped.
+//! Step 4, merge: points that lie on the line between others are dropped, and parts of one cubic become one again.
 
-use super::paths::{Path, Paths};
+use super::paths::{Path, Paths, Segment};
 use silhouette_core::glam::DVec2;
 
 /// Drops points of straight paths, and keeps every dropped point within `tolerance` (page units, from 0) of the segment
-/// that takes its place. Curves are left as they are. O(points).
+/// that takes its place. Consecutive curves become one where the control points of its parts lie within `tolerance` of theirs;
+/// a curve then strays no farther. O(points).
 ///
-/// The rule: from a kept point P, points are dropped as long as the next one lies no nearer to P than all of them, and
+/// The rule for straight paths: from a kept point P, points are dropped as long as the next one lies no nearer to P than all of them, and
 /// the straight segment from P to it passes every one of them within the tolerance. An open path keeps its ends, a
 /// closed one the corner where it turns the most; a closed path that is thinner than the tolerance becomes open.
 ///
@@ -19,10 +20,85 @@ pub fn merge(paths: &Paths, tolerance: f64) -> Paths {
         if path.handles.is_empty() {
             merge_path(path, tolerance, &mut merged);
         } else {
-            merged.push(path);
+            merge_curves(path, tolerance, &mut merged);
         }
     }
     merged
+}
+
+/// Most curves that become one, which bounds the work.
+const MOST_CURVES: usize = 64;
+
+fn merge_curves(path: Path<'_>, tolerance: f64, merged: &mut Paths) {
+    let mut run = CurveRun::default();
+    let mut kept = 0;
+    merged.begin();
+    for segment in path.segments() {
+        if !run.takes(&segment, tolerance) {
+            run.whole.iter().for_each(|whole| merged.extend(whole));
+            kept += 1;
+            run = CurveRun { whole: Some(segment), parts: vec![segment], ends: vec![1.0] };
+        }
+    }
+    run.whole.iter().for_each(|whole| merged.extend(whole));
+    // One curve that ends where it begins has two points all the same.
+    let closed = path.closed && kept > 1;
+    if closed {
+        merged.drop_repeated_point();
+    }
+    merged.finish(closed);
+}
+
+/// Consecutive curves, and the one that stands for them.
+#[derive(Default)]
+struct CurveRun {
+    whole: Option<Segment>,
+    parts: Vec<Segment>,
+    /// The parameter of the whole at which each part ends.
+    ends: Vec<f64>,
+}
+
+impl CurveRun {
+    /// Adds a curve, if one cubic can stand for it and all before it.
+    fn takes(&mut self, next: &Segment, tolerance: f64) -> bool {
+        let Some((whole, share)) = self.whole.and_then(|whole| united(&whole, next)) else { return false };
+        if self.parts.len() == MOST_CURVES {
+            return false;
+        }
+        let scaled = || self.ends.iter().map(|end| end * share);
+        let begins = std::iter::once(0.0).chain(scaled());
+        let ends = scaled().chain([1.0]);
+        let parts = self.parts.iter().chain([next]);
+        let follows = begins.zip(ends).zip(parts).all(|((begin, end), part)| {
+            let [one, other] = [&whole.part(begin, end), part].map(control_points);
+            one.iter().zip(other).all(|(one, other)| one.distance(other) <= tolerance)
+        });
+        if follows {
+            self.ends = scaled().chain([1.0]).collect();
+            self.parts.push(*next);
+            self.whole = Some(whole);
+        }
+        follows
+    }
+}
+
+/// The cubic that two consecutive ones are parts of, if they are, and the parameter at which they meet: it divides the line
+/// through both handles where they meet, as de Casteljau's subdivision does.
+fn united(one: &Segment, next: &Segment) -> Option<(Segment, f64)> {
+    let ([leaving, before], [after, arriving]) = (one.handles?, next.handles?);
+    let [to_meeting, from_meeting] = [one.to.distance(before), next.from.distance(after)];
+    let share = to_meeting / (to_meeting + from_meeting);
+    if !(share > 0.0 && share < 1.0) {
+        return None;
+    }
+    let handles = [one.from + (leaving - one.from) / share, next.to + (arriving - next.to) / (1.0 - share)];
+    Some((Segment { from: one.from, to: next.to, handles: Some(handles) }, share))
+}
+
+/// The ends and handles of a segment.
+fn control_points(segment: &Segment) -> [DVec2; 4] {
+    let [a, b] = segment.handles.unwrap_or([segment.from, segment.to]);
+    [segment.from, a, b, segment.to]
 }
 
 fn merge_path(path: Path<'_>, tolerance: f64, merged: &mut Paths) {
