@@ -3,6 +3,7 @@
 mod coherence;
 #[cfg(feature = "gpu")]
 mod cracks;
+mod extremes;
 mod outlines;
 mod remeshed;
 
