@@ -212,30 +212,35 @@ impl SmoothView {
         if is_nearer { LocalVisibility::Visible } else { LocalVisibility::Hidden }
     }
 
-    /// Triangles of the surface that do not hide a curve, ascending: those around its samples, and where the surface does not
-    /// hide it locally also those of the faces around its own.
+    /// Triangles of the surface that do not hide a curve, ascending: those along it, and where the surface does not hide it
+    /// locally also those around its samples and in the faces around its own.
     fn faces_that_do_not_hide(&self, curve: &SmoothPiece, visibility: LocalVisibility) -> Vec<FaceId> {
         let inside = |source: CurveSource| self.inside.get(&source).into_iter().flatten().copied();
-        let ends = [curve.control[0], curve.control[3]];
-        let mut samples: Vec<u32> = ends.iter().filter_map(|&end| self.at.get(&place(end)).copied()).collect();
+        let at = |position: &Vec3| self.at.get(&place(*position)).copied();
+        let mut samples: Vec<u32> = [curve.control[0], curve.control[3]].iter().filter_map(at).collect();
         samples.extend(inside(curve.source));
-        if let (CurveSource::Face(face), LocalVisibility::Visible) = (curve.source, visibility) {
-            let mesh = self.smoothing.shading_mesh();
-            let corners = mesh.mesh().triangles()[face.index()];
-            samples.extend(mesh.mesh().corners(face).iter().filter_map(|&corner| self.at.get(&place(corner))));
-            for around in corners.iter().flat_map(|&corner| self.faces.of(corner)) {
-                samples.extend(inside(CurveSource::Face(around.face)));
-                let edges = (0..3).map(|slot| mesh.topology().edge_of(HalfEdgeId::of(around.face, slot)));
-                samples.extend(edges.flat_map(|edge| inside(CurveSource::Edge(edge))));
+        let least_in_common = match (curve.source, visibility) {
+            (_, LocalVisibility::Hidden) => return Vec::new(),
+            (CurveSource::Face(face), LocalVisibility::Visible) => {
+                let mesh = self.smoothing.shading_mesh();
+                samples.extend(mesh.mesh().corners(face).iter().filter_map(at));
+                let corners = mesh.mesh().triangles()[face.index()];
+                for around in corners.iter().flat_map(|&corner| self.faces.of(corner)) {
+                    samples.extend(inside(CurveSource::Face(around.face)));
+                    let edges = (0..3).map(|slot| mesh.topology().edge_of(HalfEdgeId::of(around.face, slot)));
+                    samples.extend(edges.flat_map(|edge| inside(CurveSource::Edge(edge))));
+                }
+                1
             }
-        }
+            // Other faces around an end of a sharp edge may well hide it.
+            _ => 2,
+        };
         samples.sort_unstable();
         samples.dedup();
         let mut faces: Vec<FaceId> =
             samples.iter().flat_map(|&vertex| self.around.of(vertex)).map(|around| around.face).collect();
         faces.sort_unstable();
-        faces.dedup();
-        faces
+        faces.chunk_by(PartialEq::eq).filter(|same| same.len() >= least_in_common).map(|same| same[0]).collect()
     }
 }
 
