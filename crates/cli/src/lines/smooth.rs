@@ -1,19 +1,24 @@
 //! `lines --smooth`: each mesh is re-meshed for the view around its smooth silhouette, and the smooth curves take the place of
 //! silhouette, boundary and crease edges.
 //!
-//! Hidden lines are removed by the re-meshed surface, of which curves are edges, but for rounding. So what lies on a curve does
-//! not hide it: the triangles around its samples.
+//! Hidden lines are removed by the re-meshed surface. Around a saddle its flat triangles reach a little beyond the curve in the
+//! picture, and would hide it there. Whether a contour is hidden by the surface close to it does not depend on triangles,
+//! however, but on the sign of the radial curvature (Koenderink, "What does the occluding contour tell us about solid shape?",
+//! Perception 13, 1984): where it is positive, the visible side of the contour lies nearer to the viewer, and the surface
+//! around it does not hide it; where it is negative, the surface itself does. So a piece of silhouette through a face is either
+//! not hidden by the faces that have a vertex in common with that face, or is no visible line.
 
 use crate::failure::Failure;
 use crate::progress::TerminalProgress;
 use glam::{DVec3, Vec3};
 use silhouette_core::curves::{CurveKind, CurveSource, SmoothPiece};
+use silhouette_core::id::HalfEdgeId;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::weld::{Welded, weld_exact};
 use silhouette_core::{
     Camera, EdgeId, ExtractsCurves, FaceId, Method, PreparedMesh, SilhouetteCurves, Topology, TriangleMesh, VertexId,
 };
-use silhouette_smoothing::{Remesher, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
+use silhouette_smoothing::{Eye, Remesher, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
 use silhouette_visibility::{CurvePiece, LineKind, LineOptions, LineScene, VertexFaces};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -34,7 +39,11 @@ pub fn scene(
     for (object, (name, loaded)) in meshes.iter().enumerate() {
         let view = SmoothView::new(name, loaded, camera, wanted, progress)?;
         for piece in view.wanted_pieces(wanted) {
-            let on_faces = view.faces_around(&piece.curve);
+            let visibility = view.local_visibility(&piece.curve);
+            if visibility == LocalVisibility::Hidden && wanted.max_invisibility == 0 {
+                continue;
+            }
+            let on_faces = view.faces_that_do_not_hide(&piece.curve, visibility);
             curves.push(CurvePiece {
                 control: piece.curve.control,
                 on_faces: on_faces.iter().map(|face| FaceId::from_usize(first_face + face.index())).collect(),
@@ -64,8 +73,22 @@ struct WantedPiece {
     kind: LineKind,
 }
 
+/// What the surface close to a piece of curve does to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum LocalVisibility {
+    /// It does not hide it.
+    Visible,
+    /// It hides it.
+    Hidden,
+    /// A sharp edge: what its faces do is seen from them.
+    Sharp,
+}
+
 /// One mesh, smoothed for the view.
 struct SmoothView {
+    eye: Eye,
+    /// The faces at each vertex of the mesh.
+    faces: VertexFaces,
     smoothing: Smoothing,
     curves: SilhouetteCurves,
     surface: Welded,
@@ -114,7 +137,9 @@ impl SmoothView {
         }
         let places = surface.mesh.positions().iter().zip(0..);
         let at = places.map(|(&position, vertex)| (place(position), vertex)).collect();
-        Ok(Self { smoothing, curves, around: VertexFaces::new(&surface.mesh), surface, inside, at })
+        let faces = VertexFaces::new(&loaded.mesh);
+        let around = VertexFaces::new(&surface.mesh);
+        Ok(Self { eye: Eye::from(camera.viewpoint()), faces, smoothing, curves, around, surface, inside, at })
     }
 
     /// The curves that are drawn in place of edges.
@@ -162,7 +187,7 @@ impl SmoothView {
     fn crease(&self, edge: EdgeId, wanted: &LineOptions) -> Option<LineKind> {
         let mesh = self.smoothing.shading_mesh();
         let &[one, other, ..] = mesh.topology().half_edges(edge) else { return None };
-        let corners = |half_edge: silhouette_core::id::HalfEdgeId| {
+        let corners = |half_edge: HalfEdgeId| {
             let slot = half_edge.slot() as usize;
             let corners = mesh.mesh().corners(half_edge.face()).map(Vec3::as_dvec3);
             [corners[slot], corners[(slot + 1) % 3], corners[(slot + 2) % 3]]
@@ -176,22 +201,52 @@ impl SmoothView {
         least.is_some_and(|least| bend >= least).then_some(kind)
     }
 
-    /// The triangles around the samples of a curve, ascending.
-    fn faces_around(&self, curve: &SmoothPiece) -> Vec<FaceId> {
-        let ends = [curve.control[0], curve.control[3]];
-        let at_ends = ends.iter().filter_map(|&end| self.at.get(&place(end)));
-        let samples = self.inside.get(&curve.source).into_iter().flatten().chain(at_ends);
+    /// What the surface close to a piece does to it. Curves have their visible side on the left, seen from outside.
+    fn local_visibility(&self, curve: &SmoothPiece) -> LocalVisibility {
+        let CurveSource::Face(face) = curve.source else { return LocalVisibility::Sharp };
+        let mesh = self.smoothing.shading_mesh();
+        let [a, b, c] = mesh.triangles()[face.index()].map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
+        let [from, to] = [curve.control[0], curve.control[3]].map(Vec3::as_dvec3);
+        let visible_side = (b - a).cross(c - a).cross(to - from);
+        let is_nearer = visible_side.dot(self.eye.toward(0.5 * (from + to))) >= 0.0;
+        if is_nearer { LocalVisibility::Visible } else { LocalVisibility::Hidden }
+    }
+
+    /// Triangles of the surface that do not hide a curve, ascending: those along it, and where the surface does not hide it
+    /// locally also those around its samples and in the faces around its own.
+    fn faces_that_do_not_hide(&self, curve: &SmoothPiece, visibility: LocalVisibility) -> Vec<FaceId> {
+        let inside = |source: CurveSource| self.inside.get(&source).into_iter().flatten().copied();
+        let at = |position: &Vec3| self.at.get(&place(*position)).copied();
+        let mut samples: Vec<u32> = [curve.control[0], curve.control[3]].iter().filter_map(at).collect();
+        samples.extend(inside(curve.source));
+        let least_in_common = match (curve.source, visibility) {
+            (_, LocalVisibility::Hidden) => return Vec::new(),
+            (CurveSource::Face(face), LocalVisibility::Visible) => {
+                let mesh = self.smoothing.shading_mesh();
+                samples.extend(mesh.mesh().corners(face).iter().filter_map(at));
+                let corners = mesh.mesh().triangles()[face.index()];
+                for around in corners.iter().flat_map(|&corner| self.faces.of(corner)) {
+                    samples.extend(inside(CurveSource::Face(around.face)));
+                    let edges = (0..3).map(|slot| mesh.topology().edge_of(HalfEdgeId::of(around.face, slot)));
+                    samples.extend(edges.flat_map(|edge| inside(CurveSource::Edge(edge))));
+                }
+                1
+            }
+            // Other faces around an end of a sharp edge may well hide it.
+            _ => 2,
+        };
+        samples.sort_unstable();
+        samples.dedup();
         let mut faces: Vec<FaceId> =
-            samples.flat_map(|&vertex| self.around.of(vertex)).map(|around| around.face).collect();
+            samples.iter().flat_map(|&vertex| self.around.of(vertex)).map(|around| around.face).collect();
         faces.sort_unstable();
-        faces.dedup();
-        faces
+        faces.chunk_by(PartialEq::eq).filter(|same| same.len() >= least_in_common).map(|same| same[0]).collect()
     }
 }
 
 /// The edge of a face that does not have the corner of a slot.
 fn edge_opposite(topology: &Topology, face: FaceId, slot: usize) -> EdgeId {
-    topology.edge_of(silhouette_core::id::HalfEdgeId::of(face, (slot as u32 + 1) % 3))
+    topology.edge_of(HalfEdgeId::of(face, (slot as u32 + 1) % 3))
 }
 
 /// The name of a place; both zeros have one.

@@ -189,3 +189,82 @@ impl Sleeve {
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHOLE: Segment = Segment {
+        from: DVec2::new(0.0, 0.0),
+        to: DVec2::new(90.0, 10.0),
+        handles: Some([DVec2::new(10.0, 60.0), DVec2::new(70.0, -40.0)]),
+    };
+
+    /// A path of these parts of [`WHOLE`], each of whose handles is moved by `off`.
+    fn parts(ends: &[f64], off: DVec2) -> Paths {
+        let mut paths = Paths::default();
+        paths.begin();
+        for pair in ends.windows(2) {
+            let part = WHOLE.part(pair[0], pair[1]);
+            paths.extend(&Segment { handles: part.handles.map(|[a, b]| [a + off, b - off]), ..part });
+        }
+        paths.finish(false);
+        paths
+    }
+
+    #[test]
+    fn parts_of_one_cubic_become_it_again() {
+        let merged = merge(&parts(&[0.0, 0.1, 0.15, 0.5, 0.8, 1.0], DVec2::ZERO), 1e-6);
+        assert_eq!(merged.get(0).segment_count(), 1);
+        let distances = control_points(&merged.get(0).segment(0)).into_iter().zip(control_points(&WHOLE));
+        assert!(distances.into_iter().all(|(one, other)| one.distance(other) < 1e-9));
+    }
+
+    #[test]
+    fn what_is_no_part_of_one_cubic_stays_apart() {
+        let ends = [0.0, 0.3, 0.6, 1.0];
+        for (off, count) in [(0.0, 1), (1e-3, 1), (0.5, 3)] {
+            let merged = merge(&parts(&ends, DVec2::new(off, -off)), 0.01);
+            assert_eq!(merged.get(0).segment_count(), count, "handles moved by {off}");
+        }
+        // A corner.
+        let mut paths = Paths::default();
+        paths.begin();
+        paths.extend(&WHOLE);
+        paths.extend(&WHOLE.reversed());
+        paths.finish(false);
+        assert_eq!(merge(&paths, 0.01).get(0).segment_count(), 2);
+    }
+
+    #[test]
+    fn united_curves_keep_within_the_tolerance() {
+        let tolerance = 0.2;
+        let paths = parts(&(0..=40).map(|i| f64::from(i) / 40.0).collect::<Vec<_>>(), DVec2::new(0.01, 0.02));
+        let merged = merge(&paths, tolerance);
+        let points = |paths: &Paths, steps: u32| -> Vec<DVec2> {
+            let segments: Vec<Segment> = paths.get(0).segments().collect();
+            segments.iter().flat_map(|s| (0..=steps).map(|i| s.at(f64::from(i) / f64::from(steps)))).collect()
+        };
+        assert!(merged.get(0).segment_count() < 10, "{}", merged.get(0).segment_count());
+        let curve = points(&merged, 2000);
+        for point in points(&paths, 10) {
+            let nearest = curve.iter().map(|other| point.distance(*other)).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= tolerance + 0.1, "{nearest}");
+        }
+        assert_eq!(merged.get(0).start(), WHOLE.from);
+        assert_eq!(merged.get(0).end(), WHOLE.to);
+    }
+
+    #[test]
+    fn a_closed_path_of_one_cubic_is_an_open_one_that_ends_where_it_begins() {
+        let drop = Segment { to: WHOLE.from, ..WHOLE };
+        let mut paths = Paths::default();
+        paths.begin();
+        paths.extend(&drop.part(0.0, 0.5));
+        paths.extend(&drop.part(0.5, 1.0));
+        paths.drop_repeated_point();
+        paths.finish(true);
+        let merged = merge(&paths, 1e-6);
+        assert_eq!((merged.get(0).segment_count(), merged.get(0).start()), (1, merged.get(0).end()));
+    }
+}
