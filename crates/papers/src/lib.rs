@@ -28,6 +28,7 @@
 //! [`paper`]: what a paper supplies, what it gets for a run, and what the run yields. [`error`]: how a run fails.
 
 pub mod chart;
+mod directions;
 pub mod error;
 pub mod figure;
 pub mod files;
@@ -37,6 +38,7 @@ pub mod paper;
 pub mod raskar_cohen_1999;
 pub mod table;
 pub mod terminal;
+pub mod wang_2008;
 
 pub use error::{Cause, PaperError};
 pub use figure::Figure;
@@ -45,7 +47,7 @@ pub use paper::{Measured, Paper, Reproduction, Run};
 pub use table::{Cell, Column, Comparable, Range, Row, Table};
 
 /// Every paper, in the order of publication. To add one, add a line.
-pub static ALL: [&Paper; 2] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER];
+pub static ALL: [&Paper; 3] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER, &wang_2008::PAPER];
 
 /// The paper of this [name](Paper::name).
 pub fn find(name: &str) -> Option<&'static Paper> {
