@@ -22,7 +22,7 @@
 //!
 //! 1. [`table`]: columns, rows, and cells with our value, the paper's, and whether the two are [`Comparable`].
 //! 2. [`figure`]: each cell as rows of `tables.jsonl`.
-//! 3. [`terminal`]: the tables as text. [`chart`]: the tables as SVG. [`page`]: all of it for a browser.
+//! 3. [`terminal`]: the tables as text. [`chart`]: the tables as SVG. [`picture`]: what was drawn. [`page`]: all of it for a browser.
 //! 4. [`files`]: a directory that appears as a whole.
 //!
 //! [`paper`]: what a paper supplies, what it gets for a run, and what the run yields. [`error`]: how a run fails.
@@ -35,6 +35,7 @@ pub mod files;
 pub mod hall_2003;
 pub mod page;
 pub mod paper;
+pub mod picture;
 pub mod raskar_cohen_1999;
 pub mod table;
 pub mod terminal;
@@ -44,6 +45,7 @@ pub use error::{Cause, PaperError};
 pub use figure::Figure;
 pub use files::{WriteError, check_target, write};
 pub use paper::{Measured, Paper, Reproduction, Run};
+pub use picture::Picture;
 pub use table::{Cell, Column, Comparable, Range, Row, Table};
 
 /// Every paper, in the order of publication. To add one, add a line.

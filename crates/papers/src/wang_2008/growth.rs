@@ -1,12 +1,12 @@
 //! How many triangles smoothing draws, over views and tolerances; the paper names neither.
 
+use super::subjects::Subject;
 use super::window::{KINDS, Kind, Window};
 use crate::directions::spread;
 use crate::error::Cause;
 use crate::table::Range;
-use silhouette_core::{Method, PreparedMesh, Progress};
+use silhouette_core::{Method, Progress};
 use silhouette_smoothing::{Remesher, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
-use std::sync::Arc;
 
 /// Views that ranges are over, spread evenly.
 pub const VIEWS: u32 = 50;
@@ -32,10 +32,10 @@ pub struct Growth {
 ///
 /// # Errors
 /// [`Cause`]: cancelled.
-pub fn measure(mesh: &Arc<PreparedMesh>, window: &Window, progress: &dyn Progress) -> Result<Vec<Growth>, Cause> {
+pub fn measure(subject: &Subject, window: &Window, progress: &dyn Progress) -> Result<Vec<Growth>, Cause> {
     let mut all = Vec::new();
     for tolerance_px in TOLERANCES_PX {
-        let mut smoothing = Smoothing::new(mesh, SmoothingOptions { tolerance_px, ..SmoothingOptions::default() })?;
+        let mut smoothing = Smoothing::new(&subject.mesh, SmoothingOptions { tolerance_px, ..subject.options() })?;
         let mut out = ViewMesh::default();
         for kind in KINDS {
             progress.check()?;
@@ -53,16 +53,20 @@ pub fn measure(mesh: &Arc<PreparedMesh>, window: &Window, progress: &dyn Progres
 
 #[cfg(test)]
 mod tests {
+    use super::super::subjects::subjects;
     use super::*;
-    use silhouette_core::{NoProgress, shapes};
+    use silhouette_compare::NamedMesh;
+    use silhouette_core::{NoProgress, PreparedMesh, shapes};
     use silhouette_testing::gpu_or_skip;
 
     #[test]
     fn finer_tolerances_draw_more_triangles_of_no_other_faces() {
         let Some(gpu) = gpu_or_skip("finer_tolerances_draw_more_triangles_of_no_other_faces") else { return };
-        let mesh = Arc::new(PreparedMesh::new(shapes::by_name("blob:500").unwrap()));
-        let window = Window::new(gpu, &mesh).unwrap();
-        let all = measure(&mesh, &window, &NoProgress).unwrap();
+        let mesh = std::sync::Arc::new(PreparedMesh::new(shapes::by_name("blob:500").unwrap()));
+        let named = NamedMesh { name: "builtin:blob:500".to_owned(), mesh };
+        let subject = &subjects(&[named]).unwrap().0[0];
+        let window = Window::new(gpu, &subject.mesh).unwrap();
+        let all = measure(subject, &window, &NoProgress).unwrap();
         for kind in KINDS {
             let medians: Vec<f64> = all.iter().filter(|g| g.kind == kind).map(|g| g.triangles.median).collect();
             assert!(medians.len() == 3 && medians.is_sorted_by(|fine, coarse| fine > coarse), "{medians:?}");

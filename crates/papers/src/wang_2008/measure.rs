@@ -1,6 +1,5 @@
 //! Table I of each mesh: frames, triangles, steps.
 
-use super::copies::Model;
 use super::growth::{self, Growth};
 use super::steps::{self, Steps};
 use super::subjects::Subject;
@@ -8,11 +7,8 @@ use super::timed::{FrameTimes, time};
 use super::window::Window;
 use crate::error::Cause;
 use silhouette_compare::Profile;
-use silhouette_compare::drawing::DrawError;
 use silhouette_core::Progress;
-use silhouette_gpu::MeshBuffers;
 use silhouette_render::Gpu;
-use std::sync::Arc;
 
 /// What was measured on one mesh.
 #[derive(Debug, Clone)]
@@ -43,14 +39,11 @@ fn rounds(profile: Profile) -> u32 {
 /// [`Cause`]: cancelled, or a device that failed or cannot hold the mesh.
 pub fn measure(gpu: &Gpu, profile: Profile, subject: Subject, progress: &dyn Progress) -> Result<MeshResult, Cause> {
     let rounds = rounds(profile);
-    progress.stage(&subject.label, u64::from(rounds) + 2);
-    let mesh = &subject.mesh;
-    let window = Window::new(gpu, mesh)?;
-    let growth = growth::measure(mesh, &window, progress)?;
-    let steps = steps::measure(mesh, &window, progress)?;
+    progress.stage(&subject.label, u64::from(rounds) + 1);
+    let window = Window::new(gpu, &subject.mesh)?;
+    let growth = growth::measure(&subject, &window, progress)?;
+    let steps = steps::measure(&subject, &window, progress)?;
     progress.advance(1);
-    let buffers = Arc::new(MeshBuffers::new(gpu.device(), gpu.queue(), mesh.mesh()).map_err(DrawError::from)?);
-    let model = Model { mesh, buffers: &buffers, copies: subject.copies };
-    let times = time(gpu, model, &window, subject.pn_level, rounds, progress)?;
+    let times = time(gpu, &window, &subject, rounds, progress)?;
     Ok(MeshResult { subject, window, times, growth, steps })
 }

@@ -1,15 +1,15 @@
 //! What each step of smoothing takes on the CPU, without drawing.
 
 use super::growth::VIEWS;
+use super::subjects::Subject;
 use super::timed::on_path;
 use super::window::{Kind, Window};
 use crate::error::Cause;
-use silhouette_core::{Method, PreparedMesh, Progress};
+use silhouette_core::{Method, Progress};
 use silhouette_smoothing::silhouette_triangles::silhouette_triangles;
 use silhouette_smoothing::vertex_visibility::VertexVisibility;
-use silhouette_smoothing::{Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
+use silhouette_smoothing::{Smoothing, SmoothingView, ViewMesh};
 use std::hint::black_box;
-use std::sync::Arc;
 use std::time::Instant;
 
 /// How often the path is flown; the least time of each view counts.
@@ -49,9 +49,9 @@ impl Steps {
 ///
 /// # Errors
 /// [`Cause`]: cancelled.
-pub fn measure(mesh: &Arc<PreparedMesh>, window: &Window, progress: &dyn Progress) -> Result<Steps, Cause> {
-    let options = SmoothingOptions::default();
-    let mut smoothing = Smoothing::new(mesh, options)?;
+pub fn measure(subject: &Subject, window: &Window, progress: &dyn Progress) -> Result<Steps, Cause> {
+    let options = subject.options();
+    let mut smoothing = Smoothing::new(&subject.mesh, options)?;
     let mut visibility = VertexVisibility::new(smoothing.shading_mesh(), options.cells);
     let (mut triangles, mut out) = (Vec::new(), ViewMesh::default());
     let views: Vec<SmoothingView> = (0..VIEWS)

@@ -4,6 +4,7 @@ use super::printed::{COPIES, PaperRow, row_of};
 use crate::error::Cause;
 use silhouette_compare::{NamedMesh, Subject as Simplified};
 use silhouette_core::{PreparedMesh, TriangleMesh, shapes};
+use silhouette_smoothing::SmoothingOptions;
 use std::sync::Arc;
 
 /// A mesh of more faces is fine: it is drawn once, and its simplification in copies, as the paper does.
@@ -61,6 +62,8 @@ pub struct Subject {
     pub copies: usize,
     /// Level of PN triangles.
     pub pn_level: u32,
+    /// Dihedral angle from which on an edge is a feature edge: the default, or 180 for shapes that are known to be smooth.
+    pub crease_deg: f64,
     /// The row of Table I about the same shape.
     pub row: Option<&'static PaperRow>,
 }
@@ -71,9 +74,9 @@ impl Subject {
         self.mesh.mesh().face_count()
     }
 
-    /// Whether it is coarse enough to be smoothed visibly.
-    pub fn is_coarse(&self) -> bool {
-        self.faces() <= COARSE
+    /// The options of smoothing, but for feature edges the defaults.
+    pub fn options(&self) -> SmoothingOptions {
+        SmoothingOptions { crease_deg: self.crease_deg, ..SmoothingOptions::default() }
     }
 }
 
@@ -112,7 +115,8 @@ pub fn subjects(meshes: &[NamedMesh]) -> Result<(Vec<Subject>, Vec<String>), Cau
 fn built_in(stand_in: &StandIn, named: &NamedMesh) -> Result<Subject, Cause> {
     let fine = shapes::by_name(stand_in.fine)?;
     let row = row_of(stand_in.model);
-    Ok(subject(stand_in.model.to_owned(), named.name.clone(), Arc::clone(&named.mesh), Some(Arc::new(fine)), row))
+    let (label, origin) = (stand_in.model.to_owned(), named.name.clone());
+    Ok(Subject { crease_deg: 180.0, ..subject(label, origin, Arc::clone(&named.mesh), Some(Arc::new(fine)), row) })
 }
 
 fn subject(
@@ -124,7 +128,9 @@ fn subject(
 ) -> Subject {
     let is_coarse = mesh.mesh().face_count() <= COARSE;
     let pn_level = row.map_or(LEVELS[usize::from(!is_coarse)], |row| row.pn_level);
-    Subject { label, origin, mesh, fine, copies: if is_coarse { COPIES } else { 1 }, pn_level, row }
+    let copies = if is_coarse { COPIES } else { 1 };
+    let SmoothingOptions { crease_deg, .. } = SmoothingOptions::default();
+    Subject { label, origin, mesh, fine, copies, pn_level, crease_deg, row }
 }
 
 /// A file's name without folder and ending; the name of a built-in shape without the prefix.

@@ -11,6 +11,14 @@ use crate::table::{Cell, Column, Comparable, Range, Row, Table};
 /// The table of the paper.
 pub const TABLE: &str = "Table I";
 
+/// The table of ratios.
+pub const RATIOS: &str = "Table I, ratios of its frame rates";
+
+/// Metrics that charts read.
+pub const OVER_DIRECT: &str = "frame rate over direct drawing";
+/// As [`OVER_DIRECT`].
+pub const OVER_PN: &str = "frame rate over PN triangles";
+
 /// The card that the paper's frames were drawn by.
 const PAPER_CARD: &str = "a GeForce 7800 GT";
 
@@ -63,14 +71,10 @@ const COLUMNS: [Column; 9] = [
 pub const GROWTH: Column =
     Column::new("growth", "growth", "×", "triangles that smoothing draws over those of the mesh");
 
-const RATIOS: [Column; 5] = [
-    ratio(
-        "ours/direct",
-        "frame rate over direct drawing",
-        "frame rate of smoothing in perspective over that of direct drawing",
-    ),
+const RATIO_COLUMNS: [Column; 5] = [
+    ratio("ours/direct", OVER_DIRECT, "frame rate of smoothing in perspective over that of direct drawing"),
     ratio("ours/boundary curve", "frame rate over boundary curves", "the same over that of boundary curves"),
-    ratio("ours/PN", "frame rate over PN triangles", "the same over that of PN triangles"),
+    ratio("ours/PN", OVER_PN, "the same over that of PN triangles"),
     ratio(
         "PN/direct",
         "frame rate of PN triangles over direct drawing",
@@ -183,12 +187,7 @@ pub fn ratios(adapter: &str, meshes: &[MeshResult]) -> Table {
         let cells = cells.map(|(at, ratio)| Cell::one(ratio).beside(printed.map(|ratios| ratios[at]), why.clone()));
         Row::new(mesh.subject.label.clone(), cells.collect())
     };
-    Table {
-        name: "Table I, ratios of its frame rates",
-        columns: RATIOS.to_vec(),
-        rows: meshes.iter().map(row).collect(),
-        ..Table::default()
-    }
+    Table { name: RATIOS, columns: RATIO_COLUMNS.to_vec(), rows: meshes.iter().map(row).collect(), ..Table::default() }
 }
 
 /// Growth by tolerance and projection: the range that the paper's counts have to be seen in.
