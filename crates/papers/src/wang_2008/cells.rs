@@ -31,3 +31,15 @@ pub fn wrong_per_million(cells: Cells, progress: &dyn Progress) -> Result<f64, C
     }
     Ok(1e6 * wrong as f64 / (f64::from(VIEWS) * mesh.positions().len() as f64))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::NoProgress;
+
+    #[test]
+    fn printed_cells_decide_some_vertices_wrongly_and_gnomonic_ones_none() {
+        let of = |cells| wrong_per_million(cells, &NoProgress).unwrap();
+        assert!(of(Cells::Gnomonic) <= 0.0 && (0.1..10_000.0).contains(&of(Cells::AsPrinted)));
+    }
+}

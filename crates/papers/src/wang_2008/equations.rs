@@ -49,7 +49,7 @@ pub fn measure(meshes: &[MeshResult], progress: &dyn Progress) -> Result<Vec<Tab
     progress.advance(1);
     let mut perturbed = Vec::new();
     for mesh in meshes.iter().filter(|mesh| mesh.subject.copies > 1) {
-        for (law, word) in [(Perturbation::AsPrinted, "as printed"), (Perturbation::Lowered, "least")] {
+        for (law, word) in [(Perturbation::AsPrinted, "as printed"), (Perturbation::Lowered, "corrected")] {
             let result = lowered::measure(&mesh.subject, &mesh.window, law, progress)?;
             perturbed.push((format!("{}, {word}", mesh.subject.label), result));
         }

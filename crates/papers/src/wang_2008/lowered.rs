@@ -1,5 +1,8 @@
 //! Section III-E, perturbation: vertices that stay above the plane of a concave segment, by the printed maximum and by the
 //! minimum.
+//!
+//! Planes are counted that a vertex of the same arc may stand above: up to [`SAME_ARC`] times the height of the segment. Those
+//! farther below belong to other parts of the surface, and both laws leave them out.
 
 use super::growth::VIEWS;
 use super::subjects::Subject;
@@ -15,6 +18,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A vertex is above a plane if it is farther from it than this share of the mesh's radius: 32-bit positions are not exact.
 const ROUNDING: f64 = 1e-5;
+
+/// How far above a plane the method still looks at a vertex, in heights of the segment.
+const SAME_ARC: f64 = 9.0;
 
 /// What a law does to the vertices near concave segments, over all views.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -53,11 +59,15 @@ pub fn measure(
         let planes = planes(&smoothing, &view, subject, &around);
         smoothing.perturb(view.eye(), &mut out);
         for (at, &vertex) in smoothing.shading_mesh().vertices().iter().enumerate() {
-            let Some(planes) = planes.get(&vertex) else { continue };
-            let is_above =
-                |point: DVec3| planes.iter().any(|plane| (point - plane.middle).dot(plane.normal) > ROUNDING * radius);
-            let [before, after] = [smoothing.shading_mesh().positions()[at], out.positions[at]]
-                .map(|position| is_above(position.as_dvec3()));
+            let position = smoothing.shading_mesh().positions()[at].as_dvec3();
+            let height = |plane: &BlockingPlane, point: DVec3| (point - plane.middle).dot(plane.normal);
+            let is_near = |plane: &&BlockingPlane| height(plane, position) <= SAME_ARC * plane.height;
+            let near: Vec<&BlockingPlane> = planes.get(&vertex).into_iter().flatten().filter(is_near).collect();
+            if near.is_empty() {
+                continue;
+            }
+            let is_above = |point: DVec3| near.iter().any(|plane| height(plane, point) > ROUNDING * radius);
+            let [before, after] = [position, out.positions[at].as_dvec3()].map(is_above);
             vertices += 1;
             above_before += u32::from(before);
             above += u32::from(after);
@@ -100,4 +110,24 @@ fn planes(
         near.into_iter().for_each(|vertex| of_vertex.entry(vertex).or_default().push(plane));
     }
     of_vertex
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::subjects::subjects;
+    use super::*;
+    use silhouette_compare::NamedMesh;
+    use silhouette_core::{NoProgress, PreparedMesh, shapes};
+
+    #[test]
+    fn the_printed_maximum_raises_vertices_and_the_minimum_raises_none() {
+        let mesh = std::sync::Arc::new(PreparedMesh::new(shapes::by_name("torus:24,12").unwrap()));
+        let window = Window::unmagnified(mesh.mesh().bounds().unwrap());
+        let subject = &subjects(&[NamedMesh { name: "builtin:torus:24,12".to_owned(), mesh }]).unwrap().0[0];
+        let of = |law| measure(subject, &window, law, &NoProgress).unwrap();
+        let [off, lowered, printed] = [Perturbation::Off, Perturbation::Lowered, Perturbation::AsPrinted].map(of);
+        assert!(off.vertices > 10.0 && (off.above - off.above_before).abs() < 1e-12 && off.raised <= 0.0, "{off:?}");
+        assert!(lowered.above < 0.2 * off.above && lowered.raised <= 0.0, "{lowered:?}");
+        assert!(printed.above > off.above && printed.raised > 0.1, "{printed:?}");
+    }
 }

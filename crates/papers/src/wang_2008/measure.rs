@@ -28,7 +28,7 @@ pub struct MeshResult {
 /// Rounds of timing.
 fn rounds(profile: Profile) -> u32 {
     match profile {
-        Profile::Quick => 3,
+        Profile::Quick => 5,
         Profile::Full => 15,
     }
 }

@@ -69,6 +69,9 @@ pub static PAPER: Paper = Paper {
     measure,
 };
 
+const FIG_22: &str = "Fig. 22";
+const FIG_24: &str = "Fig. 24";
+
 /// Draws a figure of a mesh.
 type Draw = fn(&Gpu, &Subject, &Window, &dyn Progress) -> Result<PaperFigure, Cause>;
 
@@ -91,7 +94,7 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
             .collect(),
         ..Measured::default()
     };
-    for (model, name, draw) in [("Knot", "Fig. 22", drawn::fig_22 as Draw), ("Bear", "Fig. 24", drawn::fig_24)] {
+    for (model, name, draw) in [("Knot", FIG_22, drawn::fig_22 as Draw), ("Bear", FIG_24, drawn::fig_24)] {
         match of_model(&meshes, model) {
             Some(MeshResult { subject, window, .. }) => {
                 progress.stage(name, 1);
@@ -125,10 +128,8 @@ fn charts(tables: &[Table]) -> Vec<Chart> {
         bar(table_one::OVER_DIRECT, "frame rate over direct drawing", 1.5, 0.25, Some(1.0)),
         bar(table_one::OVER_PN, "frame rate over PN triangles", 4.0, 1.0, Some(1.0)),
     ];
-    let outline = [
-        bar(rows::OUTLINE.metric, "outline off the fine mesh, px", 40.0, 10.0, None),
-        bar(rows::POLYGONAL.metric, "outline off its own limit, px (95 %)", 8.0, 1.0, Some(1.0)),
-    ];
+    let outline = bar(rows::OUTLINE.metric, "outline off the fine mesh, px", 10.0, 2.0, None);
+    let polygonal = bar(rows::POLYGONAL.metric, "outline off its own limit, px (95 %)", 5.0, 1.0, Some(1.0));
     let named = |word: &'static str| tables.iter().filter(move |table| table.name.starts_with(word));
     vec![
         Chart {
@@ -138,8 +139,13 @@ fn charts(tables: &[Table]) -> Vec<Chart> {
         },
         Chart {
             file_name: "outlines.svg",
-            title: "Outlines of Figs. 22 and 24",
-            svg: bars::draw(named("Fig."), &outline),
+            title: "Fig. 22: how far outlines are from those of fine meshes",
+            svg: bars::draw(named(FIG_22), &[outline]),
+        },
+        Chart {
+            file_name: "close.svg",
+            title: "Fig. 24: how polygonal outlines are",
+            svg: bars::draw(named(FIG_24), &[polygonal]),
         },
     ]
 }

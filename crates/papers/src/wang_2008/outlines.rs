@@ -145,7 +145,7 @@ mod tests {
             let of = |outline| worst(1, outline, distance, &NoProgress).unwrap();
             let [smooth, printed, contours, edges] =
                 [OUTLINES[0].1, OUTLINES[2].1, OUTLINES[4].1, Outline::Edges].map(of);
-            assert!(smooth < 0.002 && smooth <= printed, "{distance:?}: {smooth} {printed}");
+            assert!(smooth < 0.002 && smooth <= 1.001 * printed, "{distance:?}: {smooth} {printed}");
             assert!(
                 printed < 0.2 * edges && contours > 0.06 && edges > 0.06,
                 "{distance:?}: {printed} {contours} {edges}"

@@ -167,9 +167,7 @@ pub fn lowered(rows: &[(String, Lowered)]) -> Table {
     };
     Table {
         name: "III-E. Local perturbation",
-        about: format!(
-            "{VIEWS} views in perspective; the default leaves planes out that no vertex of the same arc would pass"
-        ),
+        about: format!("{VIEWS} views in perspective; planes that no vertex of the same arc would pass are left out"),
         columns: vec![
             Column {
                 digits: 1,

@@ -273,3 +273,88 @@ pub fn steps(meshes: &[MeshResult]) -> Table {
         ..Table::default()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::copies::FrameTime;
+    use super::super::steps::Steps;
+    use super::super::subjects::{Subject, subjects};
+    use super::super::window::Window;
+    use super::*;
+    use crate::figure::{Figure, figures};
+    use silhouette_compare::NamedMesh;
+    use silhouette_core::{PreparedMesh, shapes};
+    use std::sync::Arc;
+
+    /// The stand-in for the torus with made-up values: each method takes twice as long as the last, 1000 triangles are drawn.
+    fn made_up() -> MeshResult {
+        let mesh = Arc::new(PreparedMesh::new(shapes::by_name("torus:24,12").unwrap()));
+        let window = Window::unmagnified(mesh.mesh().bounds().unwrap());
+        let named = NamedMesh { name: "builtin:torus:24,12".to_owned(), mesh };
+        let subject: Subject = subjects(&[named]).unwrap().0.remove(0);
+        let time = |frame_ms| FrameTime { prepare_ms: 0.1, frame_ms };
+        let times = FrameTimes {
+            direct: time(1.0),
+            boundary_curve: time(2.0),
+            pn: time(4.0),
+            orthographic: time(8.0),
+            perspective: time(16.0),
+        };
+        let growth = TOLERANCES_PX.into_iter().flat_map(|tolerance_px| {
+            KINDS.map(|kind| Growth { tolerance_px, kind, triangles: Range::of([1000.0], OVER_VIEWS).unwrap() })
+        });
+        let steps = Steps {
+            extraction_us: 1.0,
+            curves_us: 4.0,
+            sampling_us: 2.0,
+            remeshing_us: 2.0,
+            perturbation_us: 1.0,
+            silhouette_triangles: 100.0,
+        };
+        MeshResult { subject, window, times, growth: growth.collect(), steps }
+    }
+
+    fn all() -> (Vec<Table>, Vec<Figure>) {
+        let meshes = [made_up()];
+        let adapter = "an adapter";
+        let tables = vec![table_one(adapter, &meshes), ratios(adapter, &meshes), by_tolerance(&meshes), steps(&meshes)];
+        let figures = figures("smoothing", &tables);
+        (tables, figures)
+    }
+
+    #[test]
+    fn counts_of_the_same_number_of_faces_are_comparable_and_nothing_else_is() {
+        let (_, figures) = all();
+        for figure in figures.iter().filter(|figure| figure.ours.is_some() && figure.paper.is_some()) {
+            let is_count = ["triangles", "triangles, PN"].contains(&figure.metric.as_str());
+            assert_eq!(figure.comparable, is_count, "{figure:?}");
+            assert!(!is_count || figure.ratio == Some(1.0), "{figure:?}");
+            assert!(is_count || figure.note.contains("not comparable"), "{figure:?}");
+        }
+        let printed_only = figures.iter().filter(|figure| figure.ours.is_none()).count();
+        assert_eq!(printed_only, COLUMNS.len() * (ROWS.len() - 1), "models that nothing stands for");
+    }
+
+    #[test]
+    fn every_value_stands_under_its_column() {
+        let (tables, figures) = all();
+        assert!(tables.iter().all(|table| table.rows.iter().all(|row| row.cells.len() == table.columns.len())));
+        for (row, metric, expected) in [
+            ("Torus", "triangles, PN", 5184.0),
+            ("Torus", "growth", 1000.0 / 576.0),
+            ("Torus", "frame rate, direct drawing", 1000.0),
+            ("Torus", "frame rate, smoothing, perspective", 62.5),
+            ("Torus", OVER_DIRECT, 1.0 / 16.0),
+            ("Torus", OVER_PN, 0.25),
+            ("Torus", "frame rate, perspective over orthographic", 0.5),
+            ("Torus, orthographic", "growth at 2 px", 1000.0 / 576.0),
+            ("Torus", "time per silhouette triangle", 100.0),
+            ("Torus", "extraction, share of CPU", 10.0),
+            ("Torus", "extraction, share of the frame", 100.0 * 60.0 / 16_000.0),
+        ] {
+            let found = figures.iter().find(|figure| figure.row == row && figure.metric == metric);
+            let ours = found.and_then(|figure| figure.ours).unwrap_or(f64::NAN);
+            assert!((ours - expected).abs() < 1e-9, "{row}, {metric}: {ours}");
+        }
+    }
+}

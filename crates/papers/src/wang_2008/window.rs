@@ -74,6 +74,12 @@ impl Window {
         Ok(Self { bounds, zooms })
     }
 
+    /// The bounding sphere fits the window.
+    #[cfg(test)]
+    pub fn unmagnified(bounds: Bounds) -> Self {
+        Self { bounds, zooms: [1.0; 2] }
+    }
+
     /// The camera in a direction from the middle of the mesh.
     ///
     /// # Errors
@@ -109,6 +115,7 @@ pub fn zoomed(camera: &Camera, target: Vec3, zoom: f64) -> Result<Camera, silhou
 #[cfg(test)]
 mod tests {
     use super::*;
+    use silhouette_core::glam::DVec2;
     use silhouette_core::shapes;
     use silhouette_testing::gpu_or_skip;
 
@@ -127,7 +134,7 @@ mod tests {
                 let target = mesh.mesh().positions()[0];
                 let close = zoomed(&camera, target, 8.0).unwrap();
                 let at = close.project(target.as_dvec3()).unwrap();
-                assert!(at.pixel.distance(silhouette_core::glam::DVec2::new(640.0, 400.0)) < 0.1, "{name}");
+                assert!(at.pixel.distance(DVec2::new(640.0, 400.0)) < 0.1, "{name}");
                 let [far, near] = [camera, close].map(|camera| camera.pixels_per_unit(at.depth));
                 assert!((near / far - 8.0).abs() < 0.1, "{name} {kind:?}: {}", near / far);
             }
