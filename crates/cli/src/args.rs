@@ -94,10 +94,13 @@ pub enum Command {
         silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
         silhouettes reproduce tracking stanford-bunny.obj armadillo.obj cow.obj --profile full -o out/tracking\n  \
         silhouettes reproduce image-precision -o out/image-precision\n  \
+        silhouettes reproduce smoothing -o out/smoothing\n  \
+        silhouettes reproduce smoothing knot.off bear.off stanford-bunny.obj -o out/smoothing\n  \
         silhouettes reproduce all -o out/papers\n\n\
         The models of the papers are not part of this program. Without a mesh built-in shapes are measured: for\n\
         tracking no value then stands beside the paper's, whose bunny is recognised by its 69451 faces; for image-precision\n\
-        they are as large as the paper's models. Values are compared only where model and hardware allow it; elsewhere the\n\
+        they are as large as the paper's models; for smoothing they have as many faces, and files of more than 600 faces are\n\
+        measured simplified and in full. Values are compared only where model and hardware allow it; elsewhere the\n\
         tables say why not. With all, each paper is written to a folder of its own.")]
     Reproduce(ReproduceArguments),
 }

@@ -2,6 +2,7 @@
 
 use silhouette_compare::drawing::DrawError;
 use silhouette_compare::truth::TruthError;
+use silhouette_compare::truth::fill::FillTruthError;
 use silhouette_core::Cancelled;
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::shapes::ShapeError;
@@ -30,6 +31,9 @@ pub enum Cause {
     /// The true lines could not be found.
     #[error(transparent)]
     Truth(#[from] TruthError),
+    /// The true filled picture could not be drawn.
+    #[error(transparent)]
+    FillTruth(#[from] FillTruthError),
     /// A camera could not be made.
     #[error(transparent)]
     View(#[from] ViewError),

@@ -5,6 +5,7 @@
 //! | `index.html` | tables and charts for people; asks nothing of the network |
 //! | `tables.jsonl` | every [figure](crate::figure), one per line |
 //! | `*.svg` | the charts |
+//! | `*.png` | the pictures |
 //! | `silhouettes-reproduction.json` | marks the directory as one that a later run may replace |
 
 use crate::figure::{figures, write_figures};
@@ -35,6 +36,14 @@ pub enum WriteError {
         /// Why.
         source: io::Error,
     },
+    /// A picture could not be encoded.
+    #[error("{name}: {source}")]
+    Picture {
+        /// Its file.
+        name: &'static str,
+        /// Why.
+        source: image::ImageError,
+    },
     /// The page could not be made.
     #[error("index.html: {0}")]
     Page(#[from] minijinja::Error),
@@ -61,8 +70,15 @@ pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, W
     let written = write_figures(&figures(reproduction.paper.name, &measured.tables), &mut table);
     written.map_err(|source| WriteError::Io { path: directory.join(TABLES), source })?;
     let page = page::render(reproduction)?;
+    let mut pictures = Vec::with_capacity(measured.pictures.len());
+    for picture in &measured.pictures {
+        let name = picture.file_name;
+        let png = picture.image.to_png().map_err(|source| WriteError::Picture { name, source })?;
+        pictures.push((name, png));
+    }
     let charts = measured.charts.iter().map(|chart| (chart.file_name, chart.svg.as_bytes()));
-    for (name, bytes) in charts.chain([(TABLES, &table[..]), (PAGE, page.as_bytes())]) {
+    let pictures = pictures.iter().map(|(name, png)| (*name, &png[..]));
+    for (name, bytes) in charts.chain(pictures).chain([(TABLES, &table[..]), (PAGE, page.as_bytes())]) {
         let path = staged.file(name)?;
         std::fs::write(&path, bytes).map_err(|source| WriteError::Io { path, source })?;
     }
@@ -89,7 +105,7 @@ mod tests {
         }
         let mut names: Vec<_> = target.read_dir().unwrap().map(|entry| entry.unwrap().file_name()).collect();
         names.sort();
-        assert_eq!(names, ["chart.svg", "index.html", "silhouettes-reproduction.json", "tables.jsonl"]);
+        assert_eq!(names, ["chart.svg", "index.html", "picture.png", "silhouettes-reproduction.json", "tables.jsonl"]);
         assert_eq!(folder.path().read_dir().unwrap().count(), 1, "nothing is left beside it");
     }
 

@@ -22,30 +22,34 @@
 //!
 //! 1. [`table`]: columns, rows, and cells with our value, the paper's, and whether the two are [`Comparable`].
 //! 2. [`figure`]: each cell as rows of `tables.jsonl`.
-//! 3. [`terminal`]: the tables as text. [`chart`]: the tables as SVG. [`page`]: all of it for a browser.
+//! 3. [`terminal`]: the tables as text. [`chart`]: the tables as SVG. [`picture`]: what was drawn. [`page`]: all of it for a browser.
 //! 4. [`files`]: a directory that appears as a whole.
 //!
 //! [`paper`]: what a paper supplies, what it gets for a run, and what the run yields. [`error`]: how a run fails.
 
 pub mod chart;
+mod directions;
 pub mod error;
 pub mod figure;
 pub mod files;
 pub mod hall_2003;
 pub mod page;
 pub mod paper;
+pub mod picture;
 pub mod raskar_cohen_1999;
 pub mod table;
 pub mod terminal;
+pub mod wang_2008;
 
 pub use error::{Cause, PaperError};
 pub use figure::Figure;
 pub use files::{WriteError, check_target, write};
 pub use paper::{Measured, Paper, Reproduction, Run};
+pub use picture::Picture;
 pub use table::{Cell, Column, Comparable, Range, Row, Table};
 
 /// Every paper, in the order of publication. To add one, add a line.
-pub static ALL: [&Paper; 2] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER];
+pub static ALL: [&Paper; 3] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER, &wang_2008::PAPER];
 
 /// The paper of this [name](Paper::name).
 pub fn find(name: &str) -> Option<&'static Paper> {

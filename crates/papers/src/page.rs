@@ -1,6 +1,7 @@
 //! The page: one template for all papers, charts inline, everything that a user named escaped.
 
 use crate::paper::Reproduction;
+use crate::picture::Picture;
 use crate::table::{Cell, Column, Comparable, Ours, Printed, Row, Table};
 use minijinja::{Environment, Value, context};
 
@@ -19,6 +20,9 @@ pub fn render(reproduction: &Reproduction) -> Result<String, minijinja::Error> {
         let svg = Value::from_safe_string(chart.svg.clone());
         context! { title => chart.title, file_name => chart.file_name, svg => svg }
     });
+    let pictures = measured.pictures.iter().map(|Picture { file_name, title, image }| {
+        context! { file_name => *file_name, title => title, width => image.width, height => image.height }
+    });
     environment.get_template(TEMPLATE)?.render(context! {
         title => paper.source.title,
         citation => paper.citation(),
@@ -31,6 +35,7 @@ pub fn render(reproduction: &Reproduction) -> Result<String, minijinja::Error> {
         program => program,
         is_debug => cfg!(debug_assertions),
         notes => &measured.notes,
+        pictures => pictures.collect::<Vec<_>>(),
         charts => charts.collect::<Vec<_>>(),
         tables => measured.tables.iter().map(table_section).collect::<Vec<_>>(),
         columns => meanings(&measured.tables),
@@ -100,9 +105,11 @@ mod tests {
             assert!(page.contains(escaped), "{escaped}");
         }
         assert!(!page.contains("<b>mesh") && page.contains("default-src 'none'"));
-        for needle in ["src=", "url(", "@import", "<script"] {
+        for needle in ["url(", "@import", "<script", "://"] {
             assert!(!page.contains(needle), "{needle}");
         }
+        assert_eq!(page.matches("src=").count(), 1, "the picture beside the page");
+        assert!(page.contains("src=\"picture.png\"") && page.contains("a &lt;picture&gt;"));
     }
 
     #[test]

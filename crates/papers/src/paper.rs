@@ -2,6 +2,7 @@
 
 use crate::chart::Chart;
 use crate::error::{Cause, PaperError};
+use crate::picture::Picture;
 use crate::table::Table;
 use silhouette_compare::machine::{describe_machine, describe_program};
 use silhouette_compare::{NamedMesh, Profile};
@@ -52,6 +53,8 @@ pub struct Measured {
     pub tables: Vec<Table>,
     /// Charts of the tables.
     pub charts: Vec<Chart>,
+    /// Pictures, in the order in which they are looked at.
+    pub pictures: Vec<Picture>,
 }
 
 /// What was measured for a paper, and where.
@@ -117,6 +120,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::table::tests::table;
     use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh, glam};
+    use silhouette_render::Image;
     use std::sync::Arc;
 
     static PAPER: Paper = Paper {
@@ -141,6 +145,11 @@ pub(crate) mod tests {
             notes: vec![text("the model is not among these meshes")],
             tables: vec![table()],
             charts: vec![chart],
+            pictures: vec![Picture {
+                file_name: "picture.png",
+                title: text("a <picture>"),
+                image: Image { width: 1, height: 1, rgba: vec![255; 4] },
+            }],
         };
         Reproduction {
             paper: &PAPER,

@@ -31,7 +31,7 @@ silhouette_core::option_choice! {
 
 /// How high above a plane, as a share of the height of the segment's arc, a vertex of the same arc may stand: the neighbours of a
 /// face reach one and a half chords from the middle of the segment, and heights grow as the square of the distance.
-const SAME_ARC: f64 = 9.0;
+pub const SAME_ARC: f64 = 9.0;
 
 /// Moves vertices near concave segments; what it knows of the mesh, and scratch memory.
 #[derive(Debug, Clone)]

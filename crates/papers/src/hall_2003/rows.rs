@@ -107,6 +107,7 @@ pub fn measured(profile: Profile, meshes: &[MeshResult]) -> Measured {
         notes: if has_bunny { Vec::new() } else { vec![no_bunny.to_owned()] },
         tables: flown.into_iter().chain([printed_only(has_bunny)]).collect(),
         charts: vec![chart],
+        pictures: Vec::new(),
     }
 }
 

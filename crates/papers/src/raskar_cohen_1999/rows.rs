@@ -92,6 +92,7 @@ pub fn measured(adapter: &str, meshes: &[MeshResult], levels: &[Vec<SphereResult
     Measured {
         setting: format!("{size} x {size} pixels, frames over plain rendering in the same run"),
         notes: Vec::new(),
+        pictures: Vec::new(),
         charts: vec![Chart { file_name: "variants.svg", title: "Width, and what shows through", svg }],
         tables,
     }

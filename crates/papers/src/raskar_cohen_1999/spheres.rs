@@ -4,6 +4,7 @@
 use super::derived::{DISTANCE, outline_radius_px, scaled_width_px};
 use super::fattened;
 use super::variants::{AS_PRINTED, SCALE_95, SCALE_99, SCREEN, Variant, style};
+use crate::directions::spread;
 use crate::error::Cause;
 use silhouette_compare::metrics::Ink;
 use silhouette_compare::runner::DEFAULT_PEN_WIDTH_PX;
@@ -74,17 +75,6 @@ fn focal_px() -> f64 {
     0.5 * f64::from(SIZE_PX) / (0.5 * FOV_Y_RAD).tan()
 }
 
-/// Directions spread evenly over the sphere, on a golden spiral.
-fn directions(views: u32) -> impl Iterator<Item = DVec3> {
-    let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-    (0..views).map(move |view| {
-        let height = 1.0 - (2.0 * f64::from(view) + 1.0) / f64::from(views);
-        let (sine, cosine) = (golden * f64::from(view)).sin_cos();
-        let across = (1.0 - height * height).sqrt();
-        DVec3::new(across * cosine, height, across * sine)
-    })
-}
-
 /// The camera in a unit direction from the sphere.
 fn camera(direction: DVec3) -> Result<Camera, ViewError> {
     let up = if direction.y.abs() > 0.9 { Vec3::X } else { Vec3::Y };
@@ -112,7 +102,7 @@ fn of_variant(
     let mesh = Arc::new(PreparedMesh::new(Sphere::default().icosphere(level)?));
     let mut result = SphereResult { variant, level, drawn: Vec::new(), derived: Vec::new() };
     let mut drawing = variant.drawing(gpu, &mesh, style([SIZE_PX; 2], 1), progress)?;
-    for direction in directions(views) {
+    for direction in spread(views) {
         progress.check()?;
         let camera = camera(direction)?;
         drawing.draw(gpu, &camera)?;
