@@ -15,7 +15,7 @@ use silhouette_core::view::{Camera, ViewPreset};
 use silhouette_core::{Method, MethodOptions, Progress};
 use silhouette_gpu::FillsImage;
 use silhouette_render::Gpu;
-use silhouette_smoothing::{BoundaryCurve, PnTriangles, Remesher, Smoothing, SmoothingView, ViewMesh};
+use silhouette_smoothing::{BoundaryCurve, MakesTriangles, PnTriangles, Remesher, Smoothing, SmoothingView, ViewMesh};
 
 /// How much Fig. 24 magnifies; the paper does not say.
 pub const ZOOM: f64 = 8.0;
