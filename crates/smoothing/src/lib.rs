@@ -32,7 +32,13 @@ pub use view_mesh::{Origin, Remesher, ViewMesh};
 #[cfg(feature = "gpu")]
 mod fills_image;
 #[cfg(feature = "gpu")]
+pub mod gpu;
+#[cfg(feature = "gpu")]
 pub mod view_mesh_renderer;
+#[cfg(feature = "gpu")]
+pub use fills_image::{ImagePipelines, ImageRenderer};
+#[cfg(feature = "gpu")]
+pub use gpu::{SmoothingPipelines, SmoothingRenderer};
 #[cfg(feature = "gpu")]
 pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 

@@ -71,6 +71,12 @@ impl Perturber {
         Self { law, first, neighbours, reach, planes: Vec::new(), near: Vec::new(), moved: Vec::new() }
     }
 
+    /// Neighbours of all vertices: those of vertex v are `second[first[v]..first[v + 1]]`.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn neighbours(&self) -> (&[u32], &[u32]) {
+        (&self.first, &self.neighbours)
+    }
+
     /// Forgets all planes.
     pub fn clear(&mut self) {
         self.planes.clear();

@@ -116,6 +116,18 @@ impl Smoothing {
         &self.fixed.features
     }
 
+    /// The chains of its feature edges.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn polylines(&self) -> &[FeaturePolyline] {
+        &self.fixed.polylines
+    }
+
+    /// What lowers its vertices.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn perturber(&self) -> &Perturber {
+        &self.perturber
+    }
+
     /// Steps 2 to 4: silhouette triangles, silhouette points and segments of a view. Yields what was looked at; the results are
     /// read by [`silhouette`](Self::silhouette).
     pub fn find_silhouette(&mut self, eye: Eye) -> ExtractionStats {

@@ -1,0 +1,3 @@
+//! Each stage against its CPU twin, and the pictures of both paths.
+
+mod picture;
