@@ -28,8 +28,9 @@ struct SmoothingUniform {
     // For each point, a half-edge that it lies on, and the feature edge or NONE.
     owners_at: u32,
     point_features_at: u32,
-    // For each shading vertex, its vertex and its corners.
+    // For each shading vertex, its vertex, whether its faces are wound inside out, and its corners.
     group_vertices_at: u32,
+    turned_groups_at: u32,
     first_corners_at: u32,
     group_corners_at: u32,
     // For each vertex, its shading vertices and its neighbours.

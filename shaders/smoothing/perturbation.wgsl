@@ -7,6 +7,9 @@
 
 const LOWERED: u32 = 0u;
 
+// Vertices further above the middle of a segment than this many times its height belong to no smooth surface that holds it.
+const SAME_ARC: f32 = 9.0;
+
 fn first_neighbour(vertex: u32) -> u32 {
     return tables[settings.first_neighbours_at + vertex];
 }
@@ -66,9 +69,12 @@ fn with_plane(demand: Demand, position: vec3<f32>, direction: vec3<f32>, face: u
     let slope = dot(direction, normal);
     var next = demand;
     next.normals += normal;
-    if slope > 0.0 {
-        let middle = hermite_point(load_segment(face, lone_of(state[settings.segments_at + face])), 0.5);
-        let way = -dot(position - middle, normal) / slope;
+    let curve = load_segment(face, lone_of(state[settings.segments_at + face]));
+    let middle = hermite_point(curve, 0.5);
+    let height = dot(0.5 * (curve.start + curve.end) - middle, normal);
+    let above = dot(position - middle, normal);
+    if slope > 0.0 && above <= SAME_ARC * height {
+        let way = -above / slope;
         if settings.perturbation_law == LOWERED {
             next.way = min(demand.way, way);
         } else {

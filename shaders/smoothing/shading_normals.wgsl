@@ -5,6 +5,7 @@
 #import "shared/mesh.wgsl"
 #import "smoothing/frame.wgsl"
 
+const BY_AREA: u32 = 0u;
 const BY_ANGLE: u32 = 1u;
 
 // A sum below this share of its weights is cancellation.
@@ -19,6 +20,8 @@ fn find_normals(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
     var sum = vec3<f32>(0.0);
     var size = 0.0;
     var any_normal = vec3<f32>(0.0);
+    // Parts that are wound inside out are turned as a whole.
+    let outward = select(1.0, -1.0, tables[settings.turned_groups_at + group] != 0u);
     let end = tables[settings.first_corners_at + group + 1u];
     for (var i = tables[settings.first_corners_at + group]; i < end; i++) {
         let corner = tables[settings.group_corners_at + i];
@@ -30,16 +33,18 @@ fn find_normals(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
             continue;
         }
         // Of unit sides, so that no product leaves the range of 32 bits.
-        let turned = cross(a / lengths.x, b / lengths.y);
-        let sine = length(turned);
+        let across = cross(a / lengths.x, b / lengths.y);
+        let sine = length(across);
         if !(sine > 0.0) {
             continue;
         }
         var weight = sine / (lengths.x * lengths.y);
-        if settings.normal_weights == BY_ANGLE {
+        if settings.normal_weights == BY_AREA {
+            weight = sine * (lengths.x * lengths.y);
+        } else if settings.normal_weights == BY_ANGLE {
             weight = atan2(sine, dot(a / lengths.x, b / lengths.y));
         }
-        any_normal = turned / sine;
+        any_normal = outward * across / sine;
         sum += weight * any_normal;
         size += weight;
     }

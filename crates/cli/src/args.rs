@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use silhouette_compare::Profile;
 use silhouette_core::method::Source;
 use silhouette_papers::Paper;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Find, draw and compare the silhouettes of triangle meshes.
@@ -64,10 +65,13 @@ pub enum Command {
         silhouettes compare bunny.obj fandisk.obj --methods brute-force,image-precision --profile quick -o out/two\n  \
         silhouettes compare bunny.obj --methods brute-force,tracking --set tracking.concavity=0,0.5,1 -o out/sweep\n  \
         silhouettes compare --scene data/scenes/quick.toml -o out/scene\n  \
+        silhouettes compare bunny.obj --simplify 500 -o out/coarse\n  \
         silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
         silhouettes compare -o out/builtin\n\n\
         A scene is a TOML file with meshes, camera path, picture, pen and methods; data/scenes/quick.toml explains each key. Paths\n\
-        in it are relative to its folder. Times and accuracy are of the same frames: of the timed frames some are scored.")]
+        in it are relative to its folder. Times and accuracy are of the same frames: of the timed frames some are scored.\n\
+        A simplified mesh keeps its components, holes and handles. Where N faces are too few for that, it is refused with the\n\
+        number that can be reached.")]
     Compare(CompareArguments),
     /// Measure what a paper printed, and set both side by side: tables, charts, a page that opens offline
     #[command(after_help = "Examples:\n  \
@@ -179,6 +183,9 @@ pub struct CompareArguments {
     /// An option of a method; several values make one cell each, several options multiply
     #[arg(long, value_name = "METHOD.OPTION=VALUE[,VALUE...]")]
     pub set: Vec<String>,
+    /// Draw each mesh simplified to at most N faces, and measure filled pictures against all of it
+    #[arg(long, value_name = "N")]
+    pub simplify: Option<NonZeroUsize>,
     /// Extraction timings of other tools for the report, as benches/peers writes them; may be given several times
     #[arg(long, value_name = "FILE.jsonl")]
     pub peers: Vec<PathBuf>,

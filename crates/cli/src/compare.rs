@@ -52,6 +52,10 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
     if !arguments.meshes.is_empty() {
         scene.meshes = arguments.meshes.iter().cloned().map(MeshSpec::Plain).collect();
     }
+    if let Some(faces) = arguments.simplify {
+        let simplified = scene.simplify_meshes(faces.get());
+        simplified.map_err(|fault| Failure::Input(format!("--simplify {faces}: {fault}")))?;
+    }
     if scene.meshes.is_empty() {
         return Err(Failure::Input(format!(
             "{place}: meshes: none is listed; name one in the scene or as an argument"
@@ -60,11 +64,15 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
     CompareConfig::new(scene, registry).map_err(|fault| Failure::input(fault.in_scene(place)))
 }
 
-/// Loads the meshes of a scene, and those that they stand for.
+/// Loads the meshes of a scene, simplifies those that are to be drawn so, and loads those that others stand for.
 fn subjects(scene: &Scene, progress: &dyn Progress) -> Result<Vec<Subject>, Failure> {
     let names: Vec<String> = scene.meshes.iter().map(|spec| spec.mesh().to_owned()).collect();
     let meshes = input::meshes(&names, &[], progress)?;
     let subject = |(mesh, spec): (NamedMesh, &MeshSpec)| {
+        if let Some(faces) = spec.simplify() {
+            let refused = |fault| Failure::Input(format!("{}: {fault}", mesh.name));
+            return Subject::simplified(&mesh, faces).map_err(refused);
+        }
         let load = |name: &str| input::mesh(name, progress).map(|truth| Arc::clone(truth.mesh.mesh()));
         Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
     };

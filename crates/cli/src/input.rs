@@ -41,11 +41,12 @@ pub fn labelled_meshes(arguments: &[String], progress: &dyn Progress) -> Result<
     arguments.iter().map(|argument| labelled(argument, progress)).collect()
 }
 
-/// Files of the same name in several folders go by their paths, as they were given.
+/// Different files of the same name go by their paths, as they were given.
 fn tell_apart(meshes: &mut [NamedMesh], arguments: &[String]) {
     let names: Vec<_> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
     for (mesh, argument) in meshes.iter_mut().zip(arguments) {
-        if names.iter().filter(|&name| *name == mesh.name).count() > 1 {
+        let mut others = names.iter().zip(arguments).filter(|&(_, other)| other != argument);
+        if others.any(|(name, _)| *name == mesh.name) {
             mesh.name.clone_from(argument);
         }
     }

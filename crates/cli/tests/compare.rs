@@ -112,3 +112,47 @@ fn bad_overrides_are_refused_by_their_name() {
     assert!(line(&["--methods", "none"]).contains("there is no method 'none'"));
     assert!(line(&["--profile", "quick"]).contains("--scene"));
 }
+
+/// For each scored frame the share of the pixels of a filled blob that differ from the truth.
+fn xor_shares(arguments: &[&str]) -> Vec<f64> {
+    let methods = SCENE.find("[[methods]]").unwrap();
+    let (folder, scene) =
+        folder_with(&SCENE[..methods].replace("tetra.obj", "builtin:blob:2000").replace("samples = 1", "samples = 4"));
+    let report = folder.path().join("report");
+    let output = compare(&scene, &report, &[&["--methods", "fine-mesh"], arguments].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let cell = fs::read_to_string(report.join("results.jsonl")).unwrap();
+    let cell: Value = serde_json::from_str(&cell).unwrap();
+    let views = cell["views"].as_array().unwrap();
+    views.iter().map(|view| view["metrics"]["fill"]["xor_share"].as_f64().unwrap()).collect()
+}
+
+#[test]
+fn a_simplified_mesh_is_measured_against_all_of_it() {
+    if silhouette_testing::gpu_or_skip("a_simplified_mesh_is_measured_against_all_of_it").is_none() {
+        return;
+    }
+    // The mesh against itself: what the samples of a pixel miss of its area.
+    let full = xor_shares(&[]);
+    assert!(full.iter().all(|&share| share < 0.02), "{full:?}");
+    if cfg!(feature = "simplify") {
+        let coarse = xor_shares(&["--simplify", "50"]);
+        assert!(full.iter().zip(&coarse).all(|(full, coarse)| 2.0 * full < *coarse), "{full:?} {coarse:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_simplified_is_refused() {
+    let few = refused(SCENE, &["--simplify", "3"]);
+    let expected = if cfg!(feature = "simplify") {
+        "tetra.obj: 3 faces cannot be reached, only 4"
+    } else {
+        "tetra.obj: this build does not simplify meshes; build it with the cargo feature `simplify`"
+    };
+    assert!(few.contains(expected), "{few}");
+    let with_truth = SCENE.replace("\"tetra.obj\"", "{ mesh = \"tetra.obj\", truth = \"tetra.obj\" }");
+    let both = refused(&with_truth, &["--simplify", "300"]);
+    assert!(both.contains("--simplify 300: ") && both.contains("has a truth of its own"), "{both}");
+    let none = SCENE.replace("\"tetra.obj\"", "{ mesh = \"tetra.obj\", simplify = 0 }");
+    assert!(refused(&none, &[]).contains("meshes.simplify = 0 does not fit"));
+}

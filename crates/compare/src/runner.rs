@@ -19,7 +19,7 @@ pub mod truths;
 pub use crate::scene::model::DEFAULT_PEN_WIDTH_PX;
 pub use comparison::{Comparison, LeftOut, PictureSet};
 pub use error::CompareError;
-pub use subject::{NamedMesh, Subject};
+pub use subject::{NamedMesh, SimplifyFault, Subject};
 
 use crate::machine::RunDescription;
 use crate::registry::Registry;

@@ -55,7 +55,7 @@ fn without_repeated_vertices(mesh: &TriangleMesh) -> TriangleMesh {
 }
 
 fn corners(mesh: &TriangleMesh, face: usize) -> [DVec3; 3] {
-    mesh.corners(FaceId::from_usize(face)).map(|corner| corner.as_dvec3())
+    mesh.corners(FaceId::from_usize(face)).map(Vec3::as_dvec3)
 }
 
 /// Corners, middles of sides and centre of every face.

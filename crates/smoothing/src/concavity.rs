@@ -14,6 +14,8 @@ pub struct BlockingPlane {
     pub middle: DVec3,
     /// The unit normal there (N).
     pub normal: DVec3,
+    /// How far the segment's ends lie above its middle along the normal.
+    pub height: f64,
 }
 
 /// Whether a segment is concave: with F from its first point to its second, N1 . F > 0 and N2 . F < 0.
@@ -29,5 +31,6 @@ pub fn blocking_plane(segment: &SilhouetteSegment, ends: [&SilhouettePoint; 2], 
     let toward = eye.toward(middle).normalize_or_zero();
     let normal = ends[0].normal + ends[1].normal;
     let normal = (normal - normal.dot(toward) * toward).try_normalize()?;
-    Some(BlockingPlane { middle, normal })
+    let [a, b] = segment.curve.ends.map(|end| (end - middle).dot(normal));
+    Some(BlockingPlane { middle, normal, height: 0.5 * (a + b) })
 }

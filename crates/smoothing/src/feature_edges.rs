@@ -1,6 +1,7 @@
 //! Which edges are feature edges: section II takes them as given; here they come from whoever made the mesh, from a dihedral
 //! angle, and from where the surface ends or branches.
 
+use crate::outward::consistent_pair;
 use crate::shading_mesh::face_normal;
 use silhouette_core::id::PerEdge;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
@@ -21,15 +22,8 @@ pub fn feature_edges(
 ) -> PerEdge<bool> {
     let least_cosine = crease_deg.to_radians().cos();
     let is_feature = |edge: EdgeId| {
-        let [a, b] = topology.end_points(edge);
-        let &[first, second] = topology.half_edges(edge) else { return true };
-        let (first_face, second_face) = (first.face(), second.face());
-        let starts =
-            [first, second].map(|half_edge| mesh.triangles()[half_edge.face().index()][half_edge.slot() as usize]);
-        if a == b || first_face == second_face || starts[0] == starts[1] {
-            return true;
-        }
-        let normals = [first_face, second_face].map(|face| face_normal(mesh.corners(face)));
+        let Some(faces) = consistent_pair(mesh, topology, edge) else { return true };
+        let normals = faces.map(|face| face_normal(mesh.corners(face)));
         let [Some(n0), Some(n1)] = normals else { return false };
         crease_deg < 180.0 && n0.dot(n1) <= least_cosine
     };

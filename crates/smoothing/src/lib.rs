@@ -10,6 +10,7 @@ pub mod feature_samples;
 pub mod feature_segments;
 pub mod hermite;
 pub mod options;
+pub mod outward;
 pub mod perturbation;
 pub mod remeshing;
 pub mod sampling;

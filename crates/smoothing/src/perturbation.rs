@@ -29,6 +29,8 @@ silhouette_core::option_choice! {
     }
 }
 
+const SAME_ARC: f64 = 9.0;
+
 /// Moves vertices near concave segments; what it knows of the mesh, and scratch memory.
 #[derive(Debug, Clone)]
 pub struct Perturber {
@@ -108,7 +110,8 @@ impl Perturber {
             let Some(direction) = planes().map(|plane| plane.normal).sum::<DVec3>().try_normalize() else { continue };
             let to_plane = |plane: &BlockingPlane| {
                 let slope = direction.dot(plane.normal);
-                (slope > 0.0).then(|| -(position - plane.middle).dot(plane.normal) / slope)
+                let above = (position - plane.middle).dot(plane.normal);
+                (slope > 0.0 && above <= SAME_ARC * plane.height).then(|| -above / slope)
             };
             let lengths = planes().filter_map(to_plane);
             let length = match self.law {
@@ -163,7 +166,7 @@ mod tests {
         let planes: Vec<_> = spread(count)
             .map(|off| {
                 let normal = (position + 0.3 * off).normalize();
-                BlockingPlane { middle: at * normal, normal }
+                BlockingPlane { middle: at * normal, normal, height: 1.0 }
             })
             .collect();
         planes.iter().for_each(|&plane| perturber.push(&mesh, FaceId::new(0), plane));
@@ -196,7 +199,7 @@ mod tests {
     fn no_vertex_moves_farther_than_its_shortest_edge() {
         let mesh = mesh();
         let mut perturber = Perturber::new(&mesh, Perturbation::Lowered);
-        let far = BlockingPlane { middle: DVec3::splat(-50.0), normal: DVec3::X };
+        let far = BlockingPlane { middle: DVec3::splat(-50.0), normal: DVec3::X, height: 100.0 };
         perturber.push(&mesh, FaceId::new(3), far);
         let moved = perturber.moved(&mesh);
         assert!(moved.len() > 6, "a face and what its edges lead to");

@@ -1,6 +1,7 @@
 //! [`ShadingMesh`]: a mesh with its feature edges and shading normals, as all methods of this crate take it.
 
 use crate::feature_edges::feature_edges;
+use crate::outward::inside_out_faces;
 use crate::shading_normals::{Groups, NormalWeights, shading_normals};
 use crate::view_mesh::Origin;
 use silhouette_core::glam::{DVec3, Vec3};
@@ -38,8 +39,9 @@ impl ShadingMesh {
         let given = mesh.feature_edges();
         let features = feature_edges(mesh.mesh(), &topology, given, crease_deg);
         let mesh = Arc::clone(mesh.mesh());
+        let is_turned = inside_out_faces(&mesh, &topology);
         let groups = Groups::new(&mesh, &topology, &features);
-        let normals = shading_normals(&mesh, &groups, weights);
+        let normals = shading_normals(&mesh, &groups, weights, &is_turned);
         let mut origins = vec![Origin { face: FaceId::new(0), weights: [0.0; 3] }; groups.vertex.len()];
         for (face, corners) in groups.of_corner.iter().enumerate().rev() {
             for (slot, &corner) in corners.iter().enumerate() {

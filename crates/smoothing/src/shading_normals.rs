@@ -1,9 +1,9 @@
 //! Section III-B: a shading normal for each vertex, and several where feature edges separate groups of triangles.
 //!
-//! Departure: the paper weights faces by their angle at the vertex (Thürmer and Wüthrich 1998), whose normals are off by up to
-//! a degree or two where the vertices of a regular mesh lie on a sphere. The default is the weight of Max ("Weights for computing
-//! vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999), which is exact wherever a vertex and its
-//! neighbours lie on one sphere.
+//! Departure: the paper weights faces by their angle at the vertex (Thürmer and Wüthrich 1998). On meshes that were simplified,
+//! whose faces differ much in size and shape, outlines come closer to the original with weights by area, the default. The
+//! weights of Max ("Weights for computing vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999) are exact
+//! wherever a vertex and its neighbours lie on one sphere. `docs/methods/smoothing.md` has the figures.
 
 use crate::shading_mesh::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
@@ -13,10 +13,12 @@ use silhouette_core::{EdgeId, Topology, TriangleMesh};
 silhouette_core::option_choice! {
     /// How much each face counts in the normal of a vertex.
     pub enum NormalWeights {
-        /// The sine of its angle at the vertex over the lengths of its two sides there.
-        Sphere = "sphere",
+        /// Its area.
+        Area = "area",
         /// Its angle at the vertex, as the paper has it.
         Angle = "angle",
+        /// The sine of its angle at the vertex over the lengths of its two sides there: exact on spheres.
+        Sphere = "sphere",
     }
 }
 
@@ -89,19 +91,21 @@ impl DisjointSets {
 
 /// The unit normal of each group: the weighted average of its faces' normals. Faces without area contribute nothing. Where the average vanishes, as over a fold, the normal of one of the
 /// group's faces takes its place; it is 0 if none has an area. O(F).
-pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups, weights: NormalWeights) -> Vec<Vec3> {
+pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups, weights: NormalWeights, is_turned: &[bool]) -> Vec<Vec3> {
     let mut sums = vec![DVec3::ZERO; groups.vertex.len()];
     let mut sizes = vec![0.0; groups.vertex.len()];
     let mut any = vec![DVec3::ZERO; groups.vertex.len()];
     for (face, corners) in groups.of_corner.iter().enumerate() {
         let points = mesh.corners(FaceId::from_usize(face));
         let Some(normal) = face_normal(points) else { continue };
+        let normal = if is_turned[face] { -normal } else { normal };
         let points = points.map(Vec3::as_dvec3);
         for slot in 0..3 {
             let (at, next, last) = (points[slot], points[(slot + 1) % 3], points[(slot + 2) % 3]);
             let (a, b) = (next - at, last - at);
             let weight = match weights {
                 NormalWeights::Sphere => a.cross(b).length() / (a.length_squared() * b.length_squared()),
+                NormalWeights::Area => a.cross(b).length(),
                 // An angle that is exact for needles too, where the arc cosine is not.
                 NormalWeights::Angle => a.cross(b).length().atan2(a.dot(b)),
             };
@@ -131,7 +135,7 @@ mod tests {
         let topology = Topology::new(mesh);
         let features = feature_edges(mesh, &topology, &[], crease_deg);
         let groups = Groups::new(mesh, &topology, &features);
-        let normals = shading_normals(mesh, &groups, NormalWeights::Angle);
+        let normals = shading_normals(mesh, &groups, NormalWeights::Angle, &vec![false; mesh.face_count()]);
         (groups, normals)
     }
 

@@ -274,7 +274,7 @@ mod tests {
     impl AsItIs {
         fn new(mesh: &TriangleMesh) -> Self {
             let prepared = PreparedMesh::new(mesh.clone());
-            let mesh = ShadingMesh::new(&prepared, 75.0, NormalWeights::Angle, "test", &NoProgress).unwrap();
+            let mesh = ShadingMesh::new(&prepared, 75.0, NormalWeights::Area, "test", &NoProgress).unwrap();
             Self { faces: mesh.triangles().len(), step: 0, mesh }
         }
     }

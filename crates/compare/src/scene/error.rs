@@ -48,6 +48,12 @@ pub enum SceneFault {
         /// What fits.
         expected: String,
     },
+    /// A mesh that is to be simplified is measured against another.
+    #[error("{mesh} has a truth of its own in the scene; a mesh is drawn simplified or has a truth, not both")]
+    HasTruth {
+        /// The mesh.
+        mesh: String,
+    },
     /// There is no such method.
     #[error("methods: {0}")]
     Method(#[from] UnknownMethod),

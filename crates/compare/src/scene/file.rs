@@ -78,11 +78,16 @@ mod tests {
     fn a_scene_holds_what_its_file_says() {
         let text =
             format!("{QUICK}\n[[methods]]\nname = 'tracking'\noptions = {{ concavity = [0, 0.5], mesh = 'cut' }}\n")
-                .replace("[\"builtin:torus\",", "[{ mesh = \"a.obj\", truth = \"b.obj\" },");
+                .replace(
+                    "[\"builtin:torus\",",
+                    "[{ mesh = \"a.obj\", truth = \"b.obj\" }, { mesh = \"c.obj\", simplify = 500 },",
+                );
         let scene = Scene::parse(&text, "mine".to_owned()).unwrap();
         assert_eq!((scene.name.as_str(), scene.picture.size(), scene.path.frames), ("mine", [512; 2], 30));
         assert_eq!((scene.meshes[0].mesh(), scene.meshes[0].truth()), ("a.obj", Some("b.obj")));
-        assert_eq!(scene.meshes[1], MeshSpec::Plain("builtin:gear".to_owned()));
+        let simplified = &scene.meshes[1];
+        assert_eq!((simplified.mesh(), simplified.simplify(), simplified.truth()), ("c.obj", Some(500), None));
+        assert_eq!(scene.meshes[2], MeshSpec::Plain("builtin:gear".to_owned()));
         let options = &scene.methods[0].options;
         assert_eq!(options["mesh"], OptionSpread::One(OptionSetting::Word("cut".to_owned())));
         assert_eq!(options["concavity"].values(), [0.0, 0.5].map(OptionSetting::Number));
@@ -95,13 +100,14 @@ mod tests {
     fn paths_are_relative_to_the_file() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("mine.toml");
-        let meshes = "meshes = [\"builtin:cube\", \"/a.obj\", { mesh = \"b.obj\", truth = \"c/d.obj\" }]";
+        let meshes = "meshes = [\"builtin:cube\", \"/a.obj\", { mesh = \"b.obj\", truth = \"c/d.obj\" }, \
+                      { mesh = \"e.obj\", simplify = 9 }]";
         let rest = QUICK.lines().filter(|line| !line.starts_with("meshes")).collect::<Vec<_>>().join("\n");
         std::fs::write(&path, format!("{meshes}\n{rest}")).unwrap();
         let scene = Scene::load(&path).unwrap();
         let beside = |name: &str| dir.path().join(name).to_string_lossy().into_owned();
         let names: Vec<&str> = scene.meshes.iter().map(MeshSpec::mesh).collect();
-        assert_eq!(names, ["builtin:cube", "/a.obj", &beside("b.obj")]);
+        assert_eq!(names, ["builtin:cube", "/a.obj", &beside("b.obj"), &beside("e.obj")]);
         assert_eq!(scene.meshes[2].truth(), Some(beside("c/d.obj").as_str()));
     }
 
@@ -116,7 +122,10 @@ mod tests {
         assert!(wrong_type.contains(&format!("line {}: frames: ", line("frames = 30"))), "{wrong_type}");
         assert!(changed("kind = \"orbit\"", "kind = \"flight\"").contains("orbit"));
         assert!(changed("height = 512", "").contains("missing field `height`"));
-        assert!(changed("[\"builtin:torus\",", "[7,").contains("truth = \"fine.obj\""));
+        for mesh in ["7", "{ mesh = 'a.obj', simplify = -1 }", "{ mesh = 'a.obj', truth = 'b.obj', simplify = 9 }"] {
+            let message = changed("[\"builtin:torus\",", &format!("[{mesh},"));
+            assert!(message.contains("truth = \"fine.obj\"") && message.contains("simplify = 500"), "{message}");
+        }
         assert!(changed("frames = 30 ", "frames = -1 ").contains("frames"));
         assert!(refused("[path").contains("line 1: "));
         let long = refused(&format!("# {}", "x".repeat(MAX_BYTES as usize)));

@@ -1,7 +1,7 @@
 //! Step 2: every value of a scene within its range, and the whole small enough to be run.
 
 use super::error::SceneFault;
-use super::model::{ProjectionKind, Scene};
+use super::model::{MeshSpec, ProjectionKind, Scene};
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
@@ -28,6 +28,9 @@ impl Scene {
     /// [`SceneFault::Value`] names the key and what fits.
     pub fn check(&self) -> Result<(), SceneFault> {
         let (path, picture) = (&self.path, &self.picture);
+        for faces in self.meshes.iter().filter_map(MeshSpec::simplify) {
+            require(faces > 0, "meshes.simplify", faces, "1 or more faces")?;
+        }
         within("picture.width", picture.width, SIDES)?;
         within("picture.height", picture.height, SIDES)?;
         let samples = [1, 4];
@@ -88,7 +91,8 @@ mod tests {
             scene.check().unwrap_err().to_string()
         };
         type Change<'a> = &'a dyn Fn(&mut Scene);
-        let cases: [(Change<'_>, &str); 13] = [
+        let cases: [(Change<'_>, &str); 14] = [
+            (&|s| s.simplify_meshes(0).unwrap(), "meshes.simplify = 0 does not fit: 1 or more faces"),
             (&|s| s.picture.width = 15, "picture.width = 15 does not fit: 16 to 4096"),
             (&|s| s.picture.height = 4097, "picture.height = 4097"),
             (&|s| s.picture.samples = 2, "picture.samples = 2 does not fit: 1 or 4"),

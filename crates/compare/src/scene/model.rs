@@ -1,5 +1,6 @@
 //! What a scene holds. The fields are the keys of its file, in kebab case.
 
+use super::error::SceneFault;
 use crate::camera_path::{Orbit, scored_frames};
 use crate::options::OptionSetting;
 use serde::{Deserialize, Serialize};
@@ -29,12 +30,34 @@ pub struct Scene {
     pub methods: Vec<MethodSpec>,
 }
 
+impl Scene {
+    /// Has every mesh drawn with at most `faces` faces and measured against all of it, whatever number the scene gives.
+    ///
+    /// # Errors
+    /// [`SceneFault::HasTruth`]: a mesh is measured against another.
+    pub fn simplify_meshes(&mut self, faces: usize) -> Result<(), SceneFault> {
+        for spec in &mut self.meshes {
+            let mesh = spec.mesh().to_owned();
+            if spec.truth().is_some() {
+                return Err(SceneFault::HasTruth { mesh });
+            }
+            *spec = MeshSpec::Simplified { mesh, simplify: faces };
+        }
+        Ok(())
+    }
+}
+
 /// What the names of built-in shapes begin with, where a mesh is named.
 pub const BUILTIN: &str = "builtin:";
 
 /// A mesh of a scene: a file, or `builtin:NAME`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged, expecting = "a mesh, or { mesh = \"coarse.obj\", truth = \"fine.obj\" }")]
+#[serde(
+    untagged,
+    deny_unknown_fields,
+    expecting = "a mesh, { mesh = \"coarse.obj\", truth = \"fine.obj\" }, \
+                 or { mesh = \"fine.obj\", simplify = 500 }"
+)]
 pub enum MeshSpec {
     /// A mesh that is its own truth.
     Plain(String),
@@ -45,14 +68,26 @@ pub enum MeshSpec {
         /// What it stands for, in the same coordinates.
         truth: String,
     },
+    /// A mesh that is drawn simplified, and whose filled pictures are measured against all of it.
+    Simplified {
+        /// What it stands for.
+        mesh: String,
+        /// How many faces it has at most when drawn, 1 or more.
+        simplify: usize,
+    },
 }
 
 impl MeshSpec {
-    /// What is drawn.
+    /// What is drawn, or drawn simplified.
     pub fn mesh(&self) -> &str {
         match self {
-            Self::Plain(mesh) | Self::WithTruth { mesh, .. } => mesh,
+            Self::Plain(mesh) | Self::WithTruth { mesh, .. } | Self::Simplified { mesh, .. } => mesh,
         }
+    }
+
+    /// With how many faces at most it is drawn, where that is limited.
+    pub fn simplify(&self) -> Option<usize> {
+        if let Self::Simplified { simplify, .. } = self { Some(*simplify) } else { None }
     }
 
     /// The same with paths taken as relative to a folder; names of built-in shapes and absolute paths stay as they are.
@@ -64,13 +99,14 @@ impl MeshSpec {
         match self {
             Self::Plain(mesh) => Self::Plain(placed(mesh)),
             Self::WithTruth { mesh, truth } => Self::WithTruth { mesh: placed(mesh), truth: placed(truth) },
+            Self::Simplified { mesh, simplify } => Self::Simplified { mesh: placed(mesh), simplify },
         }
     }
 
-    /// What filled pictures are measured against, where it is another mesh.
+    /// What filled pictures are measured against, where it is a mesh of another name.
     pub fn truth(&self) -> Option<&str> {
         match self {
-            Self::Plain(_) => None,
+            Self::Plain(_) | Self::Simplified { .. } => None,
             Self::WithTruth { truth, .. } => Some(truth),
         }
     }

@@ -37,6 +37,7 @@ pub(crate) struct SmoothingUniform {
     pub owners_at: u32,
     pub point_features_at: u32,
     pub group_vertices_at: u32,
+    pub turned_groups_at: u32,
     pub first_corners_at: u32,
     pub group_corners_at: u32,
     pub first_groups_at: u32,
@@ -54,7 +55,7 @@ pub(crate) struct SmoothingUniform {
     pub level_2_at: u32,
     pub total_at: u32,
     pub levels: u32,
-    pub _pad: [u32; 3],
+    pub _pad: [u32; 2],
 }
 
 impl SmoothingUniform {
@@ -84,6 +85,7 @@ impl SmoothingUniform {
             owners_at: at.owners,
             point_features_at: at.point_features,
             group_vertices_at: at.group_vertices,
+            turned_groups_at: at.turned_groups,
             first_corners_at: at.first_corners,
             group_corners_at: at.group_corners,
             first_groups_at: at.first_groups,

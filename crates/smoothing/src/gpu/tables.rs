@@ -1,5 +1,6 @@
 //! [`Tables`]: what the stages know of a mesh's connectivity. Twin: `shaders/smoothing/frame.wgsl`.
 
+use crate::outward::inside_out_faces;
 use crate::shading_mesh::ShadingMesh;
 use crate::smoothing::Smoothing;
 use silhouette_core::id::HalfEdgeId;
@@ -30,6 +31,7 @@ pub(crate) struct TableOffsets {
     pub owners: u32,
     pub point_features: u32,
     pub group_vertices: u32,
+    pub turned_groups: u32,
     pub first_corners: u32,
     pub group_corners: u32,
     pub first_groups: u32,
@@ -75,6 +77,7 @@ impl Tables {
             owners: push(&points.owners),
             point_features: push(&points.features),
             group_vertices: push(mesh.vertices()),
+            turned_groups: push(&turned_groups(mesh)),
             first_corners: push(&corners.first),
             group_corners: push(&corners.corners),
             first_groups: push(&first_groups(mesh)),
@@ -153,6 +156,15 @@ impl Corners {
         }
         Self { first, corners }
     }
+}
+
+/// Whether each shading vertex belongs to faces that are wound inside out, which all of its faces are or none.
+fn turned_groups(mesh: &ShadingMesh) -> Vec<u32> {
+    let mut turned = vec![0; mesh.vertices().len()];
+    for (corners, is_turned) in mesh.triangles().iter().zip(inside_out_faces(mesh.mesh(), mesh.topology())) {
+        corners.iter().for_each(|&group| turned[group as usize] = u32::from(is_turned));
+    }
+    turned
 }
 
 /// The first shading vertex of each vertex; one more than there are vertices.

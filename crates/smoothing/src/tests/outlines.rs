@@ -2,6 +2,7 @@
 
 use super::shape;
 use crate::SmoothingOptions;
+use crate::shading_normals::NormalWeights;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::Viewpoint;
 use silhouette_core::{ExtractsCurves, SilhouetteCurves};
@@ -21,8 +22,8 @@ fn radius_error(point: DVec3, toward: DVec3, distance: Option<f64>) -> f64 {
     }
 }
 
-fn worst(name: &str, distance: Option<f64>, newton_steps: u32) -> f64 {
-    let mut method = shape(name, SmoothingOptions { newton_steps, ..Default::default() });
+fn worst(name: &str, distance: Option<f64>, newton_steps: u32, normals: NormalWeights) -> f64 {
+    let mut method = shape(name, SmoothingOptions { newton_steps, normals, ..Default::default() });
     let mut curves = SilhouetteCurves::default();
     let mut worst = 0.0_f64;
     for toward in spread(60) {
@@ -50,8 +51,8 @@ fn worst(name: &str, distance: Option<f64>, newton_steps: u32) -> f64 {
 fn spheres() {
     for name in ["icosphere:1", "icosphere:2"] {
         for distance in [None, Some(5.0), Some(2.0), Some(1.2)] {
-            for newton in [0, 1, 2, 3] {
-                println!("{name} {distance:?} newton {newton}: {:.6}", worst(name, distance, newton));
+            for normals in [NormalWeights::Sphere, NormalWeights::Area, NormalWeights::Angle] {
+                println!("{name} {distance:?} {normals:?}: {:.6}", worst(name, distance, 3, normals));
             }
         }
     }

@@ -1,0 +1,81 @@
+//! Which faces have to be turned for their normals to point outwards: section II takes that for granted, and scans and exports
+//! do not always keep to it.
+
+use silhouette_core::glam::DVec3;
+use silhouette_core::{EdgeId, FaceId, Topology, TriangleMesh};
+
+/// For each face whether it belongs to a part that is wound inside out. A part is what consistently wound pairs of faces join;
+/// it is inside out if the volume between it and its centre is negative, which is exact for closed parts and a guess for open
+/// ones. O(F α(F)).
+pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
+    let mut leader: Vec<u32> = (0..mesh.face_count() as u32).collect();
+    for edge in (0..topology.edge_count()).map(EdgeId::from_usize) {
+        if let Some([a, b]) = consistent_pair(mesh, topology, edge) {
+            let [a, b] = [a, b].map(|face| find(&mut leader, face.get()));
+            leader[a.max(b) as usize] = a.min(b);
+        }
+    }
+    let corners = |face: usize| mesh.corners(FaceId::from_usize(face)).map(|corner| corner.as_dvec3());
+    let mut parts = vec![Part::default(); mesh.face_count()];
+    for face in 0..mesh.face_count() {
+        let part = find(&mut leader, face as u32) as usize;
+        let [a, b, c] = corners(face);
+        let area = (b - a).cross(c - a).length();
+        parts[part].area += area;
+        parts[part].moment += area / 3.0 * (a + b + c);
+    }
+    for face in 0..mesh.face_count() {
+        let part = find(&mut leader, face as u32) as usize;
+        let centre = parts[part].moment / parts[part].area;
+        let [a, b, c] = corners(face).map(|corner| corner - centre);
+        let volume = a.cross(b).dot(c);
+        if volume.is_finite() {
+            parts[part].volume += volume;
+        }
+    }
+    (0..mesh.face_count() as u32).map(|face| parts[find(&mut leader, face) as usize].volume < 0.0).collect()
+}
+
+/// The two faces of an edge that joins exactly two, wound alike.
+pub(crate) fn consistent_pair(mesh: &TriangleMesh, topology: &Topology, edge: EdgeId) -> Option<[FaceId; 2]> {
+    let &[a, b] = topology.half_edges(edge) else { return None };
+    let begins = |at: silhouette_core::HalfEdgeId| mesh.triangles()[at.face().index()][at.slot() as usize];
+    let [from, to] = topology.end_points(edge);
+    (from != to && a.face() != b.face() && begins(a) != begins(b)).then(|| [a.face(), b.face()])
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Part {
+    area: f64,
+    moment: DVec3,
+    volume: f64,
+}
+
+fn find(leader: &mut [u32], mut face: u32) -> u32 {
+    while leader[face as usize] != face {
+        leader[face as usize] = leader[leader[face as usize] as usize];
+        face = leader[face as usize];
+    }
+    face
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::glam::Vec3;
+    use silhouette_core::shapes;
+
+    #[test]
+    fn each_part_is_judged_by_itself_far_from_the_origin_too() {
+        let sphere = shapes::by_name("icosphere:1").unwrap();
+        let count = sphere.vertex_count() as u32;
+        let mut positions: Vec<Vec3> = sphere.positions().iter().map(|p| *p + Vec3::X * 1000.0).collect();
+        positions.extend(sphere.positions());
+        let mut triangles = sphere.triangles().to_vec();
+        triangles.extend(sphere.triangles().iter().map(|&[a, b, c]| [b + count, a + count, c + count]));
+        let both = TriangleMesh::new(positions, triangles).unwrap();
+        let turned = inside_out_faces(&both, &Topology::new(&both));
+        let faces = sphere.face_count();
+        assert!(turned[..faces].iter().all(|turned| !turned) && turned[faces..].iter().all(|turned| *turned));
+    }
+}
