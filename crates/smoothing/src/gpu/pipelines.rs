@@ -2,7 +2,7 @@
 
 use crate::gpu::prefix_sum::SumStages;
 use crate::view_mesh_renderer::ViewMeshPipelines;
-use silhouette_gpu::kit::{bind_layout, compute_pipeline, storage_entry};
+use silhouette_gpu::kit::{bind_group, bind_layout, compute_pipeline, storage_entry};
 use silhouette_gpu::{CameraBinding, MeshBinding, Shade, TargetFormats};
 use silhouette_shaders::smoothing as stages;
 
@@ -12,6 +12,9 @@ pub struct SmoothingPipelines {
     pub(crate) surface: ViewMeshPipelines,
     pub(crate) frame_layout: wgpu::BindGroupLayout,
     pub(crate) output_layout: wgpu::BindGroupLayout,
+    /// Group 1 of stages that do not read the mesh. A layout of `None` in its place would leave group 2 unbound when wgpu 30 goes
+    /// from a pipeline with a group 1 to one without.
+    pub(crate) no_mesh: wgpu::BindGroup,
     pub(crate) shading_normals: wgpu::ComputePipeline,
     pub(crate) feature_segments: wgpu::ComputePipeline,
     pub(crate) vertex_visibility: wgpu::ComputePipeline,
@@ -36,7 +39,8 @@ impl SmoothingPipelines {
         let output_layout = bind_layout(device, "smoothing: output", &[written(0), written(1), written(2)]);
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
         let of_mesh = [Some(&camera), Some(&mesh), Some(&frame_layout)];
-        let of_output = [Some(&camera), None, Some(&frame_layout), Some(&output_layout)];
+        let empty = bind_layout(device, "smoothing: no mesh", &[]);
+        let of_output = [Some(&camera), Some(&empty), Some(&frame_layout), Some(&output_layout)];
         let of_mesh = |wgsl, entry| compute_pipeline(device, wgsl, entry, &of_mesh);
         let counting = |wgsl, entry| compute_pipeline(device, wgsl, entry, &of_output);
         Self {
@@ -51,6 +55,7 @@ impl SmoothingPipelines {
             place_samples: counting(stages::FEATURE_SAMPLES, "place_samples"),
             remeshing: counting(stages::REMESHING, "write_triangles"),
             perturbation: of_mesh(stages::PERTURBATION, "lower_vertices"),
+            no_mesh: bind_group(device, "smoothing: no mesh", &empty, &[]),
             frame_layout,
             output_layout,
         }

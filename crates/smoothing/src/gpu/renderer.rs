@@ -133,6 +133,7 @@ impl FrameRenderer for SmoothingRenderer {
         }
         dispatch(&mut pass, &stages.vertex_visibility, settings.groups);
         dispatch(&mut pass, &stages.silhouette_points, settings.points);
+        pass.set_bind_group(1, &stages.no_mesh, &[]);
         pass.set_bind_group(3, &buffers.output_group, &[]);
         dispatch(&mut pass, &stages.count_samples, settings.features);
         dispatch(&mut pass, &stages.silhouette_segments, settings.faces);
