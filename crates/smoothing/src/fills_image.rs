@@ -5,9 +5,7 @@ use crate::options::Path;
 use crate::smoothing::Smoothing;
 use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
 use silhouette_core::view::{Camera, ClipRange};
-use silhouette_gpu::{
-    Color, FillsImage, FrameRenderer, FrameView, MeshBuffers, RendererError, Shade, TargetFormats,
-};
+use silhouette_gpu::{Color, FillsImage, FrameRenderer, FrameView, MeshBuffers, RendererError, Shade, TargetFormats};
 use std::sync::Arc;
 
 /// The pipelines of either [`Path`].

@@ -122,6 +122,12 @@ impl Smoothing {
         &self.fixed.polylines
     }
 
+    /// Pieces of each segment of the view last sampled.
+    #[cfg(all(test, feature = "gpu"))]
+    pub(crate) fn counts(&self) -> &[u32] {
+        &self.counts
+    }
+
     /// What lowers its vertices.
     #[cfg(feature = "gpu")]
     pub(crate) fn perturber(&self) -> &Perturber {

@@ -76,8 +76,7 @@ impl FrameBuffers {
         let sums = buffer("sums of triangles", levels.bytes(), none)?;
         let indices =
             buffer("triangles of the smoothed surface", TRIANGLE_BYTES * room.triangles, BufferUsages::INDEX)?;
-        let arguments =
-            buffer("arguments of the indexed draw", size_of_val(&NO_DRAW) as u64, BufferUsages::INDIRECT)?;
+        let arguments = buffer("arguments of the indexed draw", size_of_val(&NO_DRAW) as u64, BufferUsages::INDIRECT)?;
         queue.write_buffer(&words, 0, bytemuck::cast_slice(&tables.words));
         queue.write_buffer(&arguments, 0, bytemuck::cast_slice(&NO_DRAW));
         queue.write_buffer(&vertices, 0, bytemuck::cast_slice(&shading_vertices(method, frame)));

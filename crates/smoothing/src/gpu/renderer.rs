@@ -70,10 +70,7 @@ impl SmoothingRenderer {
         room: Room,
     ) -> Result<Self, RendererError> {
         let least = Room::worst(method, 1);
-        let room = Room {
-            triangles: room.triangles.max(least.triangles),
-            vertices: room.vertices.max(least.vertices),
-        };
+        let room = Room { triangles: room.triangles.max(least.triangles), vertices: room.vertices.max(least.vertices) };
         let bound = match MeshBinding::new(device, &MeshBinding::layout(device), mesh, None)? {
             Some(binding) => {
                 let layout = CameraBinding::layout(device);

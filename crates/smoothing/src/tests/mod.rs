@@ -1,7 +1,7 @@
 //! Tests of the whole method.
 
 mod outlines;
-mod remeshed;
+pub(crate) mod remeshed;
 
 use crate::{Smoothing, SmoothingOptions};
 use silhouette_core::{Method, PreparedMesh, TriangleMesh, shapes};
