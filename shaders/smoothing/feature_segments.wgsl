@@ -7,7 +7,7 @@
 
 const TANGENTS_AS_PRINTED: u32 = 1u;
 const PI: f32 = 3.14159265;
-// Arcs above this are left straight: 340 degrees.
+// Where an end alone speaks for an arc above this, it is left straight: 340 degrees.
 const LARGEST_ARC: f32 = 5.9341195;
 
 // The unit tangent at the second of three consecutive vertices.
@@ -37,8 +37,9 @@ fn angle_between(a: vec3<f32>, b: vec3<f32>) -> f32 {
 // The curve between two points along two unit tangents.
 fn arc(start: vec3<f32>, end: vec3<f32>, t0: vec3<f32>, t1: vec3<f32>) -> SideCurve {
     let chord = end - start;
-    let central = angle_between(chord, t0) + angle_between(chord, t1);
-    if !(central <= LARGEST_ARC) {
+    let angles = vec2<f32>(angle_between(chord, t0), angle_between(chord, t1));
+    let central = angles.x + angles.y;
+    if !all(2.0 * angles <= vec2<f32>(LARGEST_ARC)) {
         return unsplit(hermite_along(start, end, vec3<f32>(0.0), vec3<f32>(0.0)));
     }
     let outward = unit_or_zero(t0 - t1);

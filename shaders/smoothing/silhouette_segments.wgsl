@@ -23,11 +23,18 @@ fn contour_direction(normal: vec3<f32>, view: vec3<f32>, across: vec3<f32>) -> v
     return select(direction, -direction, dot(direction, across) < 0.0);
 }
 
+// The squared cosine of a direction and the chord in the image.
+fn squared_cosine(direction: vec3<f32>, across: vec3<f32>) -> f32 {
+    let cosine = dot(unit_or_zero(direction), unit_or_zero(across));
+    return cosine * cosine;
+}
+
 fn segment_curve(start: u32, end: u32) -> Hermite {
     let p0 = position_of(start);
     let p1 = position_of(end);
+    let in_space = bridge(p0, p1, normal_of(start), normal_of(end));
     if settings.segment_law == SEGMENT_AS_PRINTED {
-        return bridge(p0, p1, normal_of(start), normal_of(end));
+        return in_space;
     }
     let chord = p1 - p0;
     let v0 = unit_or_zero(toward_viewer(p0));
@@ -37,8 +44,16 @@ fn segment_curve(start: u32, end: u32) -> Hermite {
     let across = chord - depth;
     let d0 = contour_direction(normal_of(start), v0, across);
     let d1 = contour_direction(normal_of(end), v1, across);
-    let flat = hermite_along(p0, p0 + across, d0, d1);
-    return Hermite(p0, p1, flat.leaving + depth, flat.arriving + depth);
+    let flat = hermite_along(vec3<f32>(0.0), across, d0, d1);
+    // All of it up to 30 degrees between tangent and chord, nothing of it from 60 degrees on.
+    let cosine = sqrt(min(squared_cosine(d0, across), squared_cosine(d1, across)));
+    let share = smoothstep(0.5, sqrt(0.75), cosine);
+    return Hermite(
+        p0,
+        p1,
+        mix(in_space.leaving, flat.leaving + depth, share),
+        mix(in_space.arriving, flat.arriving + depth, share),
+    );
 }
 
 // Finds the segment of a silhouette triangle; yields its word.

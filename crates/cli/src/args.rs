@@ -30,14 +30,19 @@ pub enum Command {
     /// Count and check a mesh: components, genus, boundary loops and every defect with its ids
     #[command(after_help = "Examples:\n  silhouettes inspect bunny.obj\n  silhouettes inspect builtin:moebius --json")]
     Inspect(InspectArguments),
-    /// Find silhouette edges and loops; write JSON, SVG or OBJ
+    /// Find silhouette edges, loops and smooth curves; write JSON, SVG or OBJ
     #[command(after_help = "Examples:\n  \
         silhouettes extract bunny.obj --eye 0,0.1,1\n  \
         silhouettes extract builtin:torus --view iso -o torus.svg\n  \
-        silhouettes extract part.stl --ortho fit --view front -o outline.obj\n\n\
+        silhouettes extract part.stl --ortho fit --view front -o outline.obj\n  \
+        silhouettes extract coarse.obj --method smoothing -o smooth.svg\n\n\
         JSON: {\"method\", \"mesh\": {\"vertices\", \"triangles\"}, \"viewpoint\", \"edges\": [[a,b]...], \"boundary\": [[a,b]...],\n\
         \"loops\": [[v...]...], \"stats\"}. Edges have a < b and are sorted; \"edges\" holds all silhouette edges, \"boundary\"\n\
-        those among them that have one face only. Loops run with the front face on the left.")]
+        those among them that have one face only. Loops run with the front face on the left. A method with curves adds\n\
+        \"curves\": [{\"closed\", \"pieces\": [{\"kind\": \"silhouette\"|\"boundary\"|\"crease\", \"source\": {\"face\": n} or\n\
+        {\"edge\": [a,b]}, \"control\": [[x,y,z] x 4]}...]}...], cubic Bezier curves in the coordinates of the mesh; one without\n\
+        edges leaves out \"edges\", \"boundary\" and \"loops\". Curves, where there are any, are what SVG and OBJ hold: SVG as\n\
+        cubics within 0.05 pixels, OBJ as polylines within a ten-thousandth of the mesh's extent.")]
     Extract(ExtractArguments),
     /// Draw visible lines, hidden ones removed, as SVG for plotters; also JSON and glTF
     #[command(after_help = "Examples:\n  \
@@ -45,11 +50,13 @@ pub enum Command {
         silhouettes lines part.stl --creases 30 --hidden --page a3 --landscape --width 0.3mm -o part.svg\n  \
         silhouettes lines part.stl --ortho fit --view front --scale 1 -o part-1-to-1.svg\n  \
         silhouettes lines house.obj tree.obj --units px --size 1600x900 --stats -o scene.svg\n  \
-        silhouettes lines part.stl --hidden -o part.json\n\n\
+        silhouettes lines part.stl --hidden -o part.json\n  \
+        silhouettes lines coarse.obj --smooth -o smooth.svg\n\n\
         Kinds: silhouette, boundary, ridge, valley, material, intersection, curve, mesh; for pens also outline.\n\
         An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart.\n\
         JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\
-        \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.")]
+        \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.\n\
+        Chains along smooth curves have no edges but \"curves\", a number for each piece of curve, and \"handles\".")]
     Lines(Box<LinesArguments>),
     /// Draw the lines of one method, or the surface that it fills, to a PNG
     #[command(after_help = "Examples:\n  \
@@ -59,6 +66,15 @@ pub enum Command {
         silhouettes render bunny.obj --method image-precision --transparent -o lines.png\n  \
         silhouettes render bunny.obj --method fine-mesh -o surface.png")]
     Render(RenderArguments),
+    /// Smooth the outline of a coarse mesh in one view: its triangles as an OBJ, or its picture as a PNG
+    #[command(after_help = "Examples:\n  \
+        silhouettes smooth coarse.obj -o smooth.png\n  \
+        silhouettes smooth builtin:icosphere:1 --view iso --set tolerance=0.25 -o smooth.obj\n  \
+        silhouettes smooth coarse.obj --set crease=40 --ortho fit --view front -o smooth.obj\n\n\
+        An OBJ holds the triangles that stand for the mesh in this view, in its own coordinates: positions once each (v), a\n\
+        normal a corner (vn), so that the surface is closed where the mesh is. A PNG is the picture that `render` draws. On\n\
+        stderr: triangles before and after, and of methods with curves also silhouette triangles and curves.")]
+    Smooth(SmoothArguments),
     /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes compare bunny.obj -o out/bunny\n  \
@@ -138,6 +154,27 @@ pub struct RenderArguments {
     #[arg(long)]
     pub transparent: bool,
     /// Output file (.png)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+}
+
+/// Arguments of `smooth`.
+#[derive(Debug, Args)]
+pub struct SmoothArguments {
+    /// Mesh file or builtin:NAME
+    pub mesh: String,
+    /// Name of the method: for a PNG one that fills its image, for an OBJ one that makes triangles for each view
+    #[arg(long, value_name = "NAME", default_value = "smoothing")]
+    pub method: String,
+    /// An option of the method; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Samples per pixel of a PNG: 1, or 4 for smooth outlines
+    #[arg(long, value_name = "N", default_value = "4", value_parser = samples)]
+    pub samples: u32,
+    /// Output file: .obj or .png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     #[command(flatten)]

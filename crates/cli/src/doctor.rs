@@ -42,14 +42,20 @@ fn methods(registry: &Registry, has_adapter: bool) -> String {
 
 /// What a method yields, separated by commas.
 fn yields(can: Capabilities) -> String {
-    let named =
-        [(can.edges, "edges"), (can.loops, "loops"), (can.curves, "curves"), (can.lines, "lines"), (can.fill, "fill")];
+    let named = [
+        (can.edges, "edges"),
+        (can.loops, "loops"),
+        (can.curves, "curves"),
+        (can.lines, "lines"),
+        (can.fill, "fill"),
+        (can.triangles, "triangles"),
+    ];
     named.into_iter().filter_map(|(has, name)| has.then_some(name)).collect::<Vec<_>>().join(", ")
 }
 
 /// Where a method runs on this machine.
 fn place(can: Capabilities, has_adapter: bool) -> &'static str {
-    match (can.edges || can.curves, has_adapter) {
+    match (can.edges || can.curves || can.triangles, has_adapter) {
         (true, true) => "processor; drawn on the adapter",
         (true, false) => "processor",
         (false, true) => "adapter",

@@ -1,4 +1,4 @@
-//! `silhouettes extract`: silhouette edges and loops as data.
+//! `silhouettes extract`: silhouette edges, loops and curves as data.
 
 mod json;
 mod obj;
@@ -9,11 +9,13 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
-use silhouette_compare::registry::{Prepared, Registry};
+use silhouette_compare::registry::{Capabilities, Prepared, Registry};
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::loops::{LoopWalker, start_vertex};
 use silhouette_core::method::{ExtractionStats, OptionValues};
-use silhouette_core::{FaceFacings, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, VertexId, Viewpoint};
+use silhouette_core::{
+    FaceFacings, SilhouetteCurves, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, VertexId, Viewpoint,
+};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -21,14 +23,24 @@ use std::sync::Arc;
 struct Extraction {
     mesh: Arc<TriangleMesh>,
     method: &'static str,
+    topology: Arc<Topology>,
     viewpoint: Viewpoint,
+    /// Of a method that extracts edges.
+    edges: Option<FoundEdges>,
+    /// Of a method that extracts curves.
+    curves: Option<SilhouetteCurves>,
+    stats: ExtractionStats,
+}
+
+/// Silhouette edges, and the loops that they form.
+#[derive(serde::Serialize)]
+struct FoundEdges {
     /// Vertices of each silhouette edge, lower one first, sorted.
     edges: Vec<[VertexId; 2]>,
     /// Those that are boundary edges, sorted.
     boundary: Vec<[VertexId; 2]>,
     /// Vertices of each loop, in order.
     loops: Vec<Vec<VertexId>>,
-    stats: ExtractionStats,
 }
 
 /// The formats an extraction is written in.
@@ -44,9 +56,10 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let format = format_of(arguments.output.as_deref())?;
     let entry = registry.find(&arguments.method.method).map_err(Failure::input)?;
     let info = entry.info();
-    if !entry.capabilities().edges {
-        let (name, known) = (info.name, registry.names(|entry| entry.capabilities().edges));
-        return Err(Failure::Input(format!("--method {name} extracts no edges; choose {known}")));
+    let extracts = |can: Capabilities| can.edges || can.curves;
+    if !extracts(entry.capabilities()) {
+        let (name, known) = (info.name, registry.names(|entry| extracts(entry.capabilities())));
+        return Err(Failure::Input(format!("--method {name} extracts no edges and no curves; choose {known}")));
     }
     let options = OptionValues::parse(info.options, arguments.method.set.iter().map(String::as_str))?;
     let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
@@ -58,33 +71,42 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let prepared = entry.prepare(&mesh, &options, &progress);
     let mut prepared = prepared.map_err(|error| Failure::of_preparation(&name, info.name, error))?;
     let topology = mesh.artefact::<Topology>("extract", &progress)?;
-    let (edges, stats) = edges_of(&mut prepared, &viewpoint);
-    let loops = loops_of(&mut prepared, &edges, mesh.mesh(), &topology, &viewpoint);
-    let found = Extraction {
-        method: info.name,
-        viewpoint,
-        edges: edges.iter().map(|edge| topology.end_points(edge)).collect(),
-        boundary: edges.boundary(&topology).map(|edge| topology.end_points(edge)).collect(),
-        loops: loops
-            .iter()
-            .map(|half_edges| half_edges.iter().map(|&h| start_vertex(mesh.mesh(), h)).collect())
-            .collect(),
-        stats,
-        mesh: Arc::clone(mesh.mesh()),
-    };
+    let (curves, of_curves) = curves_of(&mut prepared, &viewpoint).unzip();
+    let (edges, of_edges) = edges_of(&mut prepared, mesh.mesh(), &topology, &viewpoint).unzip();
+    let stats = of_edges.or(of_curves).unwrap_or_default();
+    let found =
+        Extraction { method: info.name, mesh: Arc::clone(mesh.mesh()), topology, viewpoint, edges, curves, stats };
     let bytes = match format {
         Format::Json => json::write(&found)?,
-        Format::Obj => obj::write(&found),
+        Format::Obj => obj::write(&found, &bounds),
         Format::Svg => svg::write(&found, &name, &arguments.camera.camera(&bounds)?),
     };
     output.write(&bytes)
 }
 
-/// The edges that a method finds, and what that took.
-fn edges_of(prepared: &mut Prepared, viewpoint: &Viewpoint) -> (SilhouetteEdges, ExtractionStats) {
+/// The curves that a method finds, and what that took.
+fn curves_of(prepared: &mut Prepared, viewpoint: &Viewpoint) -> Option<(SilhouetteCurves, ExtractionStats)> {
+    let mut curves = SilhouetteCurves::default();
+    let stats = prepared.curves()?.extract_curves(viewpoint, &mut curves);
+    Some((curves, stats))
+}
+
+/// The edges that a method finds with their loops, and what finding the edges took.
+fn edges_of(
+    prepared: &mut Prepared,
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    viewpoint: &Viewpoint,
+) -> Option<(FoundEdges, ExtractionStats)> {
     let mut edges = SilhouetteEdges::default();
-    let stats = prepared.edges().map(|method| method.extract_edges(viewpoint, &mut edges));
-    (edges, stats.unwrap_or_default())
+    let stats = prepared.edges()?.extract_edges(viewpoint, &mut edges);
+    let loops = loops_of(prepared, &edges, mesh, topology, viewpoint);
+    let found = FoundEdges {
+        edges: edges.iter().map(|edge| topology.end_points(edge)).collect(),
+        boundary: edges.boundary(topology).map(|edge| topology.end_points(edge)).collect(),
+        loops: loops.iter().map(|half_edges| half_edges.iter().map(|&at| start_vertex(mesh, at)).collect()).collect(),
+    };
+    Some((found, stats))
 }
 
 /// The loops that a method finds; of one that finds edges only, the loops that hold these.

@@ -28,6 +28,7 @@ mod output;
 mod progress;
 mod render;
 mod reproduce;
+mod smooth;
 
 pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 
@@ -59,6 +60,7 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Extract(arguments) => extract::run(&arguments, registry),
         Command::Lines(arguments) => lines::run(&arguments),
         Command::Render(arguments) => render::run(&arguments, registry),
+        Command::Smooth(arguments) => smooth::run(&arguments, registry),
         Command::Compare(arguments) => compare::run(&arguments, registry),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }

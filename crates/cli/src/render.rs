@@ -1,4 +1,4 @@
-//! `silhouettes render`: the lines of one method as a PNG.
+//! `silhouettes render`: the picture of one method as a PNG.
 
 use crate::args::RenderArguments;
 use crate::failure::{self, Failure};
@@ -7,6 +7,8 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_compare::drawing::{DrawError, FrameStyle, Ground, render_method};
 use silhouette_compare::registry::{Entry, Registry};
+use silhouette_compare::runner::NamedMesh;
+use silhouette_core::Camera;
 use silhouette_core::method::{OptionKind, OptionValues};
 use silhouette_render::{AdapterChoice, Gpu};
 
@@ -32,18 +34,30 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let named = input::mesh(&arguments.mesh, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
-    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
     let (size, pen_width_px) = (camera.size(), arguments.width);
     let style = FrameStyle { size, pen_width_px, samples: arguments.samples, ground };
+    output.write(&png(entry, &options, &named, &camera, style, &progress)?)
+}
+
+/// The picture of one view by one method, its lines where it yields any, as a PNG file. Prints what its user should know of it.
+pub fn png(
+    entry: &Entry,
+    options: &OptionValues,
+    named: &NamedMesh,
+    camera: &Camera,
+    style: FrameStyle,
+    progress: &TerminalProgress,
+) -> Result<Vec<u8>, Failure> {
+    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
     let failed = |error| match error {
         DrawError::Prepare(error) => Failure::of_preparation(&named.name, entry.info().name, error),
         other => Failure::run(other),
     };
-    let rendered = render_method(&gpu, entry, &options, &named.mesh, &camera, style, &progress).map_err(failed)?;
+    let rendered = render_method(&gpu, entry, options, &named.mesh, camera, style, progress).map_err(failed)?;
     if let Some(warning) = &rendered.warning {
         failure::note(warning);
     }
-    output.write(&rendered.image.unpremultiplied().to_png().map_err(Failure::run)?)
+    rendered.image.unpremultiplied().to_png().map_err(Failure::run)
 }
 
 /// The option that a method needs on this ground, unless its user sets it: on a transparent one the inside of an outline is

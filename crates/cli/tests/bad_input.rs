@@ -187,6 +187,8 @@ fn outputs_that_cannot_be_written() {
     assert!(refused(&["extract", &mesh, "-o", folder.path("x.json").to_str().unwrap()]).contains("directory"));
     assert!(refused(&["extract", &mesh, "-o", folder.path("x.pdf").to_str().unwrap()]).contains(".svg"));
     assert!(refused(&["render", &mesh, "-o", folder.path("x.jpg").to_str().unwrap()]).contains(".png"));
+    assert!(refused(&["smooth", &mesh, "-o", folder.path("x.stl").to_str().unwrap()]).contains(".obj or .png"));
+    assert!(refused(&["smooth", &mesh, "-o", &mesh]).contains("input"));
     assert!(refused(&["extract", &mesh, "-o", &mesh]).contains("input"));
     let scene = folder.file("scene.gltf", "{}");
     assert!(refused(&["lines", &mesh, &scene, "-o", &scene]).contains("input"));
@@ -269,7 +271,7 @@ fn arguments() {
     assert!(refused(&["extract", &mesh, "--eye", "1,2"]).contains("three numbers"));
     assert!(refused(&["extract", &mesh, "--eye", "1,2,nan"]).contains("--eye"));
     assert!(refused(&["extract", &mesh, "--method", "brute-farce"]).contains("brute-force"));
-    assert!(refused(&["extract", &mesh, "--method", "image-precision"]).contains("extracts no edges"));
+    assert!(refused(&["extract", &mesh, "--method", "image-precision"]).contains("no edges and no curves"));
     assert!(refused(&["extract", &mesh, "--set", "speed=9"]).contains("speed"));
     assert!(refused(&["extract", "builtin:teacup"]).contains("torus"));
     assert!(refused(&["extract", "builtin:torus:1"]).contains("torus"));
@@ -285,5 +287,14 @@ fn arguments() {
     let line = refused(&["compare", &mesh, "--peers", &rows, "-o", folder.path("report").to_str().unwrap()]);
     assert!(line.contains("rows.jsonl: line 2: missing field"), "{line}");
     assert!(refused(&["compare", &mesh, "--peers", "missing.jsonl", "-o", "x"]).contains("missing.jsonl"));
+    for (name, lacks) in [("x.obj", "makes no triangles"), ("x.png", "fills no image")] {
+        let result = folder.path(name);
+        let line = refused(&["smooth", &mesh, "--method", "tracking", "-o", result.to_str().unwrap()]);
+        assert!(line.contains(lacks) && line.contains("smoothing") && !result.exists(), "{line}");
+        let points = folder.file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+        assert!(refused(&["smooth", &points, "-o", result.to_str().unwrap()]).contains("points.obj"));
+        assert!(!result.exists());
+    }
+    assert!(refused(&["smooth", &mesh, "--set", "tolerance=0", "-o", "x.obj"]).contains("tolerance"));
     assert!(refused(&["bake", &mesh]).contains("bake"));
 }

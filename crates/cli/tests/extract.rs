@@ -70,3 +70,45 @@ fn inspect_counts_and_names_defects() {
     let text = stdout(&["inspect", "builtin:moebius"]);
     assert!(text.contains("boundary loops"), "{text}");
 }
+
+/// A sphere's silhouette by `smoothing` is one closed curve; the method has no edges, so that there are no fields for them.
+#[test]
+fn curves_are_cubics_in_every_format() {
+    let sphere = ["extract", "builtin:icosphere:2", "--method", "smoothing", "--ortho", "2.5", "--view", "front"];
+    let found = json(&sphere);
+    assert!(["edges", "boundary", "loops"].iter().all(|field| found.get(field).is_none()));
+    let [curve] = &found["curves"].as_array().unwrap()[..] else { panic!("one curve: {found}") };
+    let pieces = curve["pieces"].as_array().unwrap();
+    assert!(curve["closed"] == true && pieces.len() > 10);
+    for (piece, next) in pieces.iter().zip(pieces.iter().cycle().skip(1)) {
+        assert_eq!(piece["control"][3], next["control"][0]);
+        assert!(piece["kind"] == "silhouette" && piece["source"]["face"].as_u64().unwrap() < 320);
+    }
+    let cube = json(&["extract", "builtin:cube", "--method", "smoothing"]);
+    let of_edge = &cube["curves"][0]["pieces"][0]["source"]["edge"];
+    assert!(of_edge[0].as_u64().unwrap() < of_edge[1].as_u64().unwrap(), "{of_edge}");
+    assert!(json(&["extract", "builtin:cube"]).get("curves").is_none());
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    stdout(&[&sphere[..], &["-o", &path("x.svg")]].concat());
+    let svg = std::fs::read_to_string(path("x.svg")).unwrap();
+    let data = svg.split(" d=\"M").nth(1).unwrap().split('"').next().unwrap();
+    assert_eq!((svg.matches("<path").count(), data.matches('C').count()), (1, pieces.len()), "one cubic a piece");
+    assert!(data.ends_with(['z', 'Z']), "closed");
+    // On the circle of radius 1, a pixel being 2.5 / 1024.
+    let numbers: Vec<f64> = data
+        .split([',', ' ', 'C', 'z', 'Z'])
+        .filter(|word| !word.is_empty())
+        .map(|word| word.parse().unwrap())
+        .collect();
+    let ends = numbers.chunks(2).step_by(3);
+    let radius = |end: &[f64]| (end[0] - 512.0).hypot(end[1] - 512.0) / 1024.0 * 2.5;
+    assert!(ends.map(radius).all(|radius| (radius - 1.0).abs() < 0.01));
+
+    stdout(&[&sphere[..], &["-o", &path("x.obj")]].concat());
+    let obj = std::fs::read_to_string(path("x.obj")).unwrap();
+    let line: Vec<_> = obj.lines().find(|line| line.starts_with("l ")).unwrap().split(' ').skip(1).collect();
+    assert_eq!((line[0], line[0]), ("1", line[line.len() - 1]), "closed");
+    assert_eq!(obj.lines().filter(|line| line.starts_with("v ")).count(), line.len() - 1);
+}

@@ -205,3 +205,116 @@ fn t_junctions_are_boundaries_until_they_are_healed() {
     assert_eq!(drawn(&["--heal=0.5"]).0, 7);
     assert_eq!(drawn(&["--no-boundaries"]).0, 0);
 }
+
+/// Straight chords of the cubic paths of an SVG in its own units, eight a curve, path by path; and whether each path is closed.
+fn cubics(svg: &str) -> Vec<(Vec<[f64; 2]>, bool)> {
+    let path = |data: &str| {
+        let data = data.split('"').next().unwrap();
+        let words = data.trim_end_matches('Z').split(['C', ' ']).filter(|word| !word.is_empty());
+        let numbers: Vec<f64> = words.map(|word| word.parse().unwrap()).collect();
+        let points: Vec<[f64; 2]> = numbers.chunks(2).map(|pair| [pair[0], pair[1]]).collect();
+        assert_eq!(points.len() % 3, 1, "cubics only");
+        let curves = points.windows(4).step_by(3).flat_map(|control| {
+            (0..8).map(|i| {
+                let t = f64::from(i) / 8.0;
+                let s = 1.0 - t;
+                let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+                [0, 1].map(|axis| control.iter().zip(weights).map(|(point, weight)| point[axis] * weight).sum())
+            })
+        });
+        (curves.chain(points.last().copied()).collect(), data.ends_with('Z'))
+    };
+    svg.split(" d=\"M").skip(1).map(path).collect()
+}
+
+fn length(path: &[[f64; 2]]) -> f64 {
+    path.windows(2).map(|pair| (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1])).sum()
+}
+
+fn smooth(mesh: &str, options: &[&str]) -> String {
+    stdout(&[&["lines", mesh, "--smooth", "--units", "px"], options].concat())
+}
+
+/// Of a sphere of radius 1 seen in a window of height 2.5, the silhouette is a circle of 1024 / 2.5 pixels.
+#[test]
+fn a_coarse_sphere_has_one_smooth_outline() {
+    let view = ["--view", "front", "--ortho", "2.5"];
+    let error = |paths: &[(Vec<[f64; 2]>, bool)]| {
+        let radius = |point: &[f64; 2]| (point[0] - 512.0).hypot(point[1] - 512.0) / 1024.0 * 2.5;
+        paths.iter().flat_map(|(points, _)| points).map(|point| (radius(point) - 1.0).abs()).fold(0.0, f64::max)
+    };
+    for (level, most) in [(1, 0.02), (2, 0.004), (3, 0.001)] {
+        let mesh = format!("builtin:icosphere:{level}");
+        let paths = cubics(&smooth(&mesh, &view));
+        assert!(paths.len() == 1 && paths[0].1, "one closed curve of {mesh}, {} paths", paths.len());
+        assert!(error(&paths) < most, "{mesh}: {}", error(&paths));
+        let hidden = smooth(&mesh, &[&view[..], &["--hidden=solid"]].concat());
+        assert_eq!(layers(&hidden), named(&[("1 silhouette visible", 1)]), "nothing of it is hidden");
+    }
+    // Seen in perspective, from every side.
+    for view in ["front", "right", "top", "iso", "three-quarter"] {
+        let paths = cubics(&smooth("builtin:icosphere:1", &["--view", view]));
+        assert!(paths.len() == 1 && paths[0].1, "{view}");
+    }
+}
+
+#[test]
+fn a_torus_along_its_axis_shows_two_circles_and_from_above_hides_the_ends_of_one() {
+    let along = cubics(&smooth("builtin:torus:24,12", &["--view", "top", "--ortho", "fit"]));
+    assert!(along.len() == 2 && along.iter().all(|(_, closed)| *closed));
+    let radii = along.iter().map(|(points, _)| (points[0][0] - 512.0).hypot(points[0][1] - 512.0));
+    let [one, other] = radii.collect::<Vec<_>>()[..] else { unreachable!() };
+    let [small, large] = [one.min(other), one.max(other)];
+    let torus: Value = serde_json::from_str(&stdout(&["inspect", "builtin:torus:24,12", "--json"])).unwrap();
+    let [reach, height] = [0, 1].map(|axis| torus["extent"]["max"][axis].as_f64().unwrap());
+    // Of a tube of radius r about a circle of radius R the circles have radii R - r and R + r = reach.
+    let expected = (reach - 2.0 * height) / reach;
+    assert!((small / large - expected).abs() < 0.01, "{} instead of {expected}", small / large);
+    let paths = cubics(&smooth("builtin:torus", &[]));
+    assert_eq!(paths.iter().filter(|(_, closed)| *closed).count(), 1, "the outer one");
+    assert_eq!(paths.len(), 2, "and the visible part of the inner one");
+}
+
+/// Coarse and fine meshes of one knot show the same length, where edges of the coarse one zigzag.
+#[test]
+fn hidden_parts_of_a_knot_are_left_out_whatever_its_mesh() {
+    for view in ["three-quarter", "front", "iso"] {
+        let total = |mesh: &str, more: &[&str]| -> f64 {
+            let options = [&["--view", view], more].concat();
+            cubics(&smooth(mesh, &options)).iter().map(|(points, _)| length(points)).sum()
+        };
+        let [coarse, fine] = ["builtin:knot:2,3,80,8", "builtin:knot:2,3,720,32"].map(|mesh| total(mesh, &[]));
+        assert!((coarse / fine - 1.0).abs() < 0.01, "{view}: {coarse} and {fine}");
+        // The control: with what is hidden, it is more by much more than that.
+        let all = total("builtin:knot:2,3,80,8", &["--hidden=solid"]);
+        assert!(all > 1.1 * coarse, "{view}: {all} and {coarse}");
+    }
+}
+
+#[test]
+fn smooth_lines_keep_their_kinds_layers_and_files() {
+    let names = |svg: &str| layers(svg).into_iter().map(|(name, _)| name).collect::<Vec<_>>();
+    let cube = smooth("builtin:cube", &["--view", "iso", "--creases", "30", "--hidden", "--dash", "ridge=3px,1px"]);
+    assert_eq!(names(&cube), ["1 ridge hidden", "2 ridge visible", "3 silhouette visible"]);
+    assert_eq!(names(&smooth("builtin:grid", &["--view", "iso"])), ["1 boundary visible"]);
+    let from_behind = smooth("builtin:grid", &["--eye", "0.1,-5,0.2"]);
+    assert_eq!(names(&from_behind), ["1 boundary visible"], "a sheet has the same rim from behind");
+    assert!(names(&smooth("builtin:grid", &["--view", "iso", "--no-boundaries"])).is_empty());
+    assert_eq!(names(&smooth("builtin:torus", &["--outline=only"])), ["1 outline"]);
+
+    let both = ["builtin:icosphere:1", "builtin:torus", "--smooth"];
+    let found: Value = serde_json::from_str(&lines_json(&both)).unwrap();
+    let chains = found["chains"].as_array().unwrap();
+    assert!([0, 1].iter().all(|object| chains.iter().any(|chain| chain["object"] == *object)));
+    for chain in chains {
+        let count = |field: &str| chain[field].as_array().unwrap().len();
+        assert_eq!(
+            (count("edges"), count("curves"), chain["kind"].as_str()),
+            (0, count("handles"), Some("silhouette"))
+        );
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.gltf");
+    silhouettes(&["lines", "builtin:torus", "--smooth", "-o", path.to_str().unwrap()]);
+    assert!(std::fs::read_to_string(path).unwrap().contains("silhouette"));
+}

@@ -1,7 +1,7 @@
 //! [`Registry`]: the list of methods, as a value that callers extend.
 //!
 //! An [`Entry`] prepares its method for a mesh once; what it was registered with decides what the prepared method can be asked
-//! for. Capabilities add up: a method may extract edges, draw lines and fill an image.
+//! for. Capabilities add up: a method may extract edges, draw lines, fill an image and make triangles for each view.
 //!
 //! ```
 //! use silhouette_compare::registry::{Entry, Registry};
@@ -19,7 +19,9 @@ use silhouette_baselines::FineMesh;
 use silhouette_core::Method;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_image_precision::ImagePrecision;
-use silhouette_smoothing::Smoothing;
+use silhouette_smoothing::{
+    AdaptiveRefinement, BoundaryCurve, InterpolatedContours, PhongTessellation, PnTriangles, Smoothing,
+};
 use silhouette_tracking::{ExactTracking, Tracking};
 
 /// The baseline: speeds are stated as ratios to it.
@@ -53,7 +55,12 @@ impl Registry {
             .with(Entry::of::<ExactTracking>().loops())
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<FineMesh>().fill())
-            .with(Entry::of::<Smoothing>().curves().fill())
+            .with(Entry::of::<Smoothing>().curves().fill().triangles())
+            .with(Entry::of::<InterpolatedContours>().curves())
+            .with(Entry::of::<BoundaryCurve>().curves().fill().triangles())
+            .with(Entry::of::<PnTriangles>().fill().triangles())
+            .with(Entry::of::<PhongTessellation>().fill().triangles())
+            .with(Entry::of::<AdaptiveRefinement>().fill().triangles())
     }
 
     /// The same methods and one more; one of the same name is replaced.
@@ -135,6 +142,7 @@ mod tests {
                 curves: prepared.curves().is_some(),
                 lines: prepared.lines().is_some(),
                 fill: prepared.fill().is_some(),
+                triangles: prepared.triangles().is_some(),
             };
             assert_eq!(answered, entry.capabilities(), "{}", entry.info().name);
             assert_ne!(answered, Capabilities::default(), "{} can do nothing", entry.info().name);

@@ -3,14 +3,17 @@
 //! A piece ends exactly where the next of its chain begins. A straight piece is a cubic too, so that everything that draws,
 //! measures or flattens curves has one case. Control points are 32-bit, as positions of a mesh are; evaluation is in 64 bits.
 //!
-//! For output as polylines, see [`CurveChain::flatten`].
+//! For output as polylines, see [`CurveChain::flatten`]; as curves in a picture, [`SmoothPiece::picture`].
+
+mod picture;
 
 use crate::id::{EdgeId, FaceId};
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
 /// Why a curve is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum CurveKind {
     /// Front faces meet back faces there.
     Silhouette,
@@ -18,6 +21,17 @@ pub enum CurveKind {
     Boundary,
     /// The surface bends sharply there, whatever the view.
     Crease,
+}
+
+impl CurveKind {
+    /// The name used on command lines and in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Silhouette => "silhouette",
+            Self::Boundary => "boundary",
+            Self::Crease => "crease",
+        }
+    }
 }
 
 /// What a piece of curve stands for in the mesh.

@@ -33,6 +33,15 @@ impl Eye {
         (self.0.w != 0.0).then(|| self.0.truncate())
     }
 
+    /// The same rounded to 32 bits: what the exact facing of faces depends on.
+    pub(crate) fn viewpoint(self) -> Viewpoint {
+        let vector = self.0.truncate().as_vec3();
+        match self.position() {
+            Some(_) => Viewpoint::Perspective { eye: vector },
+            None => Viewpoint::Orthographic { toward_viewer: vector },
+        }
+    }
+
     /// The point with w = 1 or direction with w = 0.
     pub fn homogeneous(self) -> DVec4 {
         self.0

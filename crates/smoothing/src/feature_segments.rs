@@ -6,7 +6,8 @@
 //! 1. Eq. 1 as printed is the bisector of the two edges, off by half the difference of the angles under which they are seen.
 //!    The tangent of the circle is W0 / |W0|² + W1 / |W1|² ([`Tangents::Circle`]); the printed one stays available.
 //! 2. Eq. 4 grows without bound as an arc nears 360 degrees, and Hermite curves of arcs above 180 degrees leave the circle.
-//!    Such an arc is split at its middle, and one above 340 degrees, whose three vertices are nearly one, stays straight.
+//!    Such an arc is split at its middle, and one of which an end alone speaks for more than 340 degrees, whose three vertices are nearly one, stays
+//!    straight.
 
 use crate::feature_polylines::FeaturePolyline;
 use crate::hermite::Hermite;
@@ -176,7 +177,7 @@ fn arc(ends: [DVec3; 2], tangents: [DVec3; 2]) -> FeatureSegment {
     let chord = ends[1] - ends[0];
     let angles = tangents.map(|tangent| chord.angle_between(tangent));
     let central = angles[0] + angles[1];
-    if central.is_nan() || central.to_degrees() > LARGEST_ARC_DEG {
+    if central.is_nan() || angles.iter().any(|angle| 2.0 * angle.to_degrees() > LARGEST_ARC_DEG) {
         return FeatureSegment::straight(ends);
     }
     let outward = (tangents[0] - tangents[1]).try_normalize();

@@ -1,5 +1,73 @@
-//! Smooth silhouettes for coarse triangle meshes.
-#![allow(missing_docs, reason = "under construction")]
+//! Smooth silhouettes for coarse triangle meshes, and the methods that compete with it.
+//!
+//! [`Smoothing`] is L. Wang, C. Tu, W. Wang, X. Meng, B. Chan and D. Yan, "Silhouette Smoothing for Real-time Rendering of Mesh
+//! Surfaces", IEEE Transactions on Visualization and Computer Graphics 14(3), 2008. It needs no fine mesh: curves are laid through
+//! the triangles that the silhouette crosses, and those triangles alone are replaced by finer ones.
+//!
+//! ```
+//! use silhouette_core::{ExtractsCurves, Method, PreparedMesh, SilhouetteCurves, Viewpoint, glam::Vec3, shapes};
+//! use silhouette_smoothing::{Remesher, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
+//! use std::sync::Arc;
+//!
+//! let mesh = Arc::new(PreparedMesh::new(shapes::by_name("icosphere:1")?)); // 80 faces
+//! let mut method = Smoothing::new(&mesh, SmoothingOptions::default())?;
+//!
+//! // The silhouette as smooth curves: one closed chain, within 0.05 % of the circle.
+//! let mut curves = SilhouetteCurves::default();
+//! method.extract_curves(&Viewpoint::Orthographic { toward_viewer: Vec3::ONE }, &mut curves);
+//! assert!(curves.get(0).closed);
+//!
+//! // The triangles to draw in one view, with normals and the place of each vertex on the mesh.
+//! # use silhouette_core::view::{Camera, Framing, ViewPreset};
+//! # let (direction, up) = ViewPreset::Iso.directions();
+//! # let bounds = mesh.mesh().bounds().ok_or("no faces")?;
+//! # let camera = Camera::framing(&bounds, direction, up, Framing::Orthographic, [512, 512])?;
+//! let mut surface = ViewMesh::default();
+//! method.remesh(&SmoothingView::from_camera(&camera), &mut surface);
+//! assert!(surface.triangles.len() > 80);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! With the feature `gpu`, which is on by default, every method but [`InterpolatedContours`] fills images in your own wgpu pass
+//! (`silhouette_gpu::FillsImage`). [`Smoothing`] makes its triangles on the GPU (`gpu`), unless the option `path` says `cpu`.
+//!
+//! # The steps
+//!
+//! | step | paper | file |
+//! |---|---|---|
+//! | feature edges, chained to polylines, each edge replaced by a curve; once per mesh | II, III-A | [`feature_edges`](mod@feature_edges), [`feature_polylines`](mod@feature_polylines), [`feature_segments`] |
+//! | shading normals, one for each vertex and group of faces; once per mesh | III-B | [`shading_normals`](mod@shading_normals), [`shading_mesh`] |
+//! | which vertices are visible, in clusters | III-B | [`vertex_visibility`] |
+//! | silhouette triangles: faces with visible and invisible vertices | II | [`silhouette_triangles`](mod@silhouette_triangles) |
+//! | bridges over their mixed sides | III-C | [`bridges`], [`hermite`] |
+//! | silhouette points on the bridges, silhouette segments between them | III-D | [`silhouette_points`], [`silhouette_segments`] |
+//! | how finely curves are sampled | III-E | [`sampling`], [`feature_samples`] |
+//! | local re-meshing | III-E | [`remeshing`] |
+//! | concave segments, and vertices lowered below them | III-E | [`concavity`], [`perturbation`] |
+//!
+//! Each file lists where it departs from the paper, and why; printed formulas stay available as options with the value
+//! `as-printed`. Beside them:
+//!
+//! 1. Parts that are wound inside out are turned ([`outward`]).
+//! 2. Feature polylines end at sharp turns (option `corner`), so that the corners of a sheet stay.
+//! 3. Curves of features are output as well, and chained ([`curves`]).
+//!
+//! # The rivals
+//!
+//! | method | source | draws | its outline |
+//! |---|---|---|---|
+//! | [`PnTriangles`] | Vlachos et al. 2001 | every face as (level + 1)² triangles | smooth until one looks closely |
+//! | [`PhongTessellation`] | Boubekeur and Alexa 2008 | the same | somewhat flatter |
+//! | [`AdaptiveRefinement`] | Dyken et al. 2008 | faces near the silhouette finer | as PN triangles |
+//! | [`BoundaryCurve`] | Wang et al. 2003 | curves through the vertices of silhouette edges | jumps from edge to edge |
+//! | [`InterpolatedContours`] | Hertzmann and Zorin 2000 | nothing; yields chords | continuous, as coarse as the mesh |
+//!
+//! # When it fails
+//!
+//! The method smooths towards what the normals say. Where a coarse mesh has few vertices around a sharp bend, as simplified meshes
+//! have at thin parts, normals are wrong and outlines bulge; `docs/methods/smoothing.md` in the repository has figures. Neither
+//! hidden parts of curves nor farther faces that hide a concave segment are found.
+
 pub mod bridges;
 pub mod concavity;
 pub mod curves;
@@ -28,7 +96,7 @@ pub use hermite::Hermite;
 pub use options::SmoothingOptions;
 pub use shading_mesh::ShadingMesh;
 pub use smoothing::Smoothing;
-pub use view_mesh::{Origin, Remesher, ViewMesh};
+pub use view_mesh::{MakesTriangles, Origin, Remesher, ViewMesh};
 
 #[cfg(feature = "gpu")]
 mod fills_image;
@@ -37,11 +105,24 @@ pub mod gpu;
 #[cfg(feature = "gpu")]
 pub mod view_mesh_renderer;
 #[cfg(feature = "gpu")]
-pub use fills_image::{ImagePipelines, ImageRenderer};
-#[cfg(feature = "gpu")]
-pub use gpu::{SmoothingPipelines, SmoothingRenderer};
+pub use gpu::{ImagePipelines, ImageRenderer, SmoothingPipelines, SmoothingRenderer};
 #[cfg(feature = "gpu")]
 pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
+
+pub mod adaptive_refinement;
+pub mod boundary_curve;
+pub mod face_splitter;
+pub mod interpolated_contours;
+pub mod phong_tessellation;
+pub mod pn_triangles;
+pub mod side_curves;
+pub mod tessellation;
+
+pub use adaptive_refinement::{AdaptiveRefinement, AdaptiveRefinementOptions};
+pub use boundary_curve::{BoundaryCurve, BoundaryCurveOptions};
+pub use interpolated_contours::{InterpolatedContours, InterpolatedContoursOptions};
+pub use phong_tessellation::{PhongTessellation, PhongTessellationOptions};
+pub use pn_triangles::{PnTriangles, PnTrianglesOptions};
 
 #[cfg(test)]
 mod tests;

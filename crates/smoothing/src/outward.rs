@@ -1,7 +1,7 @@
 //! Which faces have to be turned for their normals to point outwards: section II takes that for granted, and scans and exports
 //! do not always keep to it.
 
-use silhouette_core::glam::DVec3;
+use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{EdgeId, FaceId, Topology, TriangleMesh};
 
 /// For each face whether it belongs to a part that is wound inside out. A part is what consistently wound pairs of faces join;
@@ -15,7 +15,7 @@ pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
             leader[a.max(b) as usize] = a.min(b);
         }
     }
-    let corners = |face: usize| mesh.corners(FaceId::from_usize(face)).map(|corner| corner.as_dvec3());
+    let corners = |face: usize| mesh.corners(FaceId::from_usize(face)).map(Vec3::as_dvec3);
     let mut parts = vec![Part::default(); mesh.face_count()];
     for face in 0..mesh.face_count() {
         let part = find(&mut leader, face as u32) as usize;
@@ -62,7 +62,6 @@ fn find(leader: &mut [u32], mut face: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::glam::Vec3;
     use silhouette_core::shapes;
 
     #[test]

@@ -8,13 +8,14 @@
 //!    parameter by at most 1 / (8 n²) of its largest second derivative, which is six times the larger second difference of its
 //!    control points; this bound is the default ([`Sampling::Guaranteed`]). It holds for curves of any form, S-shaped ones
 //!    too, and is at most 9 % above the least number for arcs up to 90 degrees.
-//! 2. In a perspective the pixels of control points make a curve whose speed differs from that of the pixels of the curve. The
-//!    number grows by the ratio of their distances, which is close to 1 unless the curve comes near the eye.
+//! 2. In a perspective the image of a cubic is a rational curve: second differences are taken in homogeneous pixels, so that a
+//!    straight curve has none, and the number grows by the ratio of the farthest to the nearest control point, which is close
+//!    to 1 unless the curve comes near the eye.
 //! 3. At least one segment, at most [`MAX_SEGMENTS`]; one for a curve that is behind the viewer.
 
 use crate::eye::SmoothingView;
 use crate::hermite::Hermite;
-use silhouette_core::glam::DVec3;
+use silhouette_core::glam::{DVec3, DVec4, Vec4Swizzles as _};
 
 /// Most segments of a curve.
 pub const MAX_SEGMENTS: u32 = 64;
@@ -41,17 +42,22 @@ pub fn segments(curve: &Hermite, normals: [DVec3; 2], view: &SmoothingView, tole
 }
 
 fn guaranteed(curve: &Hermite, view: &SmoothingView, tolerance_px: f64) -> f64 {
-    let pixels = curve.control().map(|point| view.pixel(point));
-    let nearest = pixels.iter().map(|(_, w)| *w).fold(f64::INFINITY, f64::min);
-    let farthest = pixels.iter().map(|(_, w)| *w).fold(0.0, f64::max);
+    let [a, b, c, d] = curve.control().map(|point| view.to_pixel() * point.extend(1.0));
+    let distances = [a.w, b.w, c.w, d.w];
+    let (nearest, farthest) =
+        distances.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &w| (low.min(w), high.max(w)));
     if farthest <= 0.0 {
         return 1.0;
     }
     if nearest <= 0.0 {
         return f64::NAN;
     }
-    let [a, b, c, d] = pixels.map(|(pixel, _)| pixel);
-    let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());
+    // Of a second difference, the part that w has as well moves points along the line of sight.
+    let bend = |before: DVec4, at: DVec4, after: DVec4| {
+        let difference = before - 2.0 * at + after;
+        (difference.xy() - difference.w / at.w * at.xy()).length() / nearest
+    };
+    let bend = bend(a, b, c).max(bend(b, c, d));
     (0.75 * bend / tolerance_px).sqrt() * (farthest / nearest)
 }
 

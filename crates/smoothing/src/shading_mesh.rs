@@ -7,6 +7,7 @@ use crate::view_mesh::Origin;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::id::{HalfEdgeId, PerEdge};
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A mesh whose vertices have been split where feature edges give them several normals: *shading vertices*, one for each vertex
@@ -21,6 +22,8 @@ pub struct ShadingMesh {
     normals: Vec<Vec3>,
     origins: Vec<Origin>,
     has_feature: Vec<bool>,
+    /// Shading vertices of vertex v: `first[v]..first[v + 1]`.
+    first: Vec<u32>,
 }
 
 impl ShadingMesh {
@@ -54,8 +57,11 @@ impl ShadingMesh {
             features[topology.edge_of(half_edge)]
         };
         let has_feature = (0..mesh.face_count()).map(|face| (0..3).any(|slot| feature_on(face, slot))).collect();
+        let mut first = vec![0; mesh.vertex_count() + 1];
+        groups.vertex.iter().for_each(|&vertex| first[vertex as usize + 1] += 1);
+        (0..mesh.vertex_count()).for_each(|vertex| first[vertex + 1] += first[vertex]);
         let positions = groups.vertex.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
-        Ok(Self { mesh, topology, features, groups, positions, normals, origins, has_feature })
+        Ok(Self { mesh, topology, features, groups, positions, normals, origins, has_feature, first })
     }
 
     /// The mesh itself.
@@ -103,6 +109,14 @@ impl ShadingMesh {
         self.has_feature[face.index()]
     }
 
+    /// The shading vertices of a vertex.
+    ///
+    /// # Panics
+    /// If the mesh has no such vertex.
+    pub fn shading_vertices(&self, vertex: u32) -> Range<usize> {
+        self.first[vertex as usize] as usize..self.first[vertex as usize + 1] as usize
+    }
+
     /// Bytes held beside the mesh and its topology.
     pub fn bytes(&self) -> usize {
         size_of_val(self.features.as_slice())
@@ -112,6 +126,7 @@ impl ShadingMesh {
             + size_of_val(self.normals.as_slice())
             + size_of_val(self.origins.as_slice())
             + self.has_feature.len()
+            + size_of_val(self.first.as_slice())
     }
 }
 

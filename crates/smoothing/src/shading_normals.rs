@@ -119,7 +119,7 @@ pub fn shading_normals(mesh: &TriangleMesh, groups: &Groups, weights: NormalWeig
         let is_certain = sum.length() > LEAST_SHARE * size && sum.is_finite();
         if is_certain { sum.normalize() } else { *any }
     };
-    sums.iter().zip(&sizes).zip(&any).map(settled).map(|normal| normal.as_vec3()).collect()
+    sums.iter().zip(&sizes).zip(&any).map(settled).map(DVec3::as_vec3).collect()
 }
 
 /// A sum below this share of its weights is cancellation.

@@ -57,8 +57,8 @@ pub struct SilhouettePoint {
 /// An interpolated normal shorter than this has no direction.
 const LEAST_NORMAL: f64 = 1e-6;
 
-/// A residual angle, in radians, at which Newton's method has nothing left to improve.
-const CONVERGED: f64 = 1e-12;
+/// A residual angle, in radians, below the rounding of positions to 32 bits: Newton's method has nothing left to improve.
+const CONVERGED: f64 = 1e-8;
 
 /// The silhouette point of a bridge, given the vertices below its ends with their unit normals, of which exactly one is visible,
 /// and the number of Newton steps. O(1).

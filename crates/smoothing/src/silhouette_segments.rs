@@ -4,7 +4,8 @@
 //! Departure: the recipe takes the segment for an arc of a geodesic. What is drawn is its image, and seen from a near eye even a
 //! sphere's contour is no great circle. By default ([`SegmentLaw::AcrossView`]) the chord is divided into a part along the view
 //! and one across it; the latter is interpolated along the directions that are perpendicular to both the normal and the view,
-//! which are those of the contour in the image, and the depth linearly. On a sphere this follows the contour from every eye.
+//! which are those of the contour in the image, and the depth linearly. On a sphere this follows the contour from every eye. Where
+//! the curve turns by much within one face, as it does at a cusp, the printed recipe takes over little by little.
 //!
 //! A side that two faces of one group share has one bridge and one point, found once. On a feature edge the bridge is the
 //! feature segment, and each face finds a point of its own with its own group's normals.
@@ -17,6 +18,7 @@ use crate::options::SmoothingOptions;
 use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_points::{SilhouettePoint, silhouette_point};
 use crate::silhouette_triangles::SilhouetteTriangle;
+use silhouette_core::glam::DVec3;
 use silhouette_core::id::HalfEdgeId;
 use silhouette_core::topology::Twin;
 
@@ -33,20 +35,40 @@ silhouette_core::option_choice! {
 /// The curve between two silhouette points of a view.
 pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> Hermite {
     let positions = ends.map(|end| end.position);
+    let in_space = || bridge(positions, ends.map(|end| end.normal));
     if law == SegmentLaw::AsPrinted {
-        return bridge(positions, ends.map(|end| end.normal));
+        return in_space();
     }
     let chord = positions[1] - positions[0];
-    let views = positions.map(|position| eye.toward(position).normalize_or_zero());
-    let along = (views[0] + views[1]).normalize_or_zero();
-    let depth = chord.dot(along) * along;
+    let views = positions.map(|position| eye.toward(position));
+    // For an eye, the sum of the unit vectors towards it, times both their lengths.
+    let along =
+        if eye.position().is_some() { views[0] * views[1].length() + views[1] * views[0].length() } else { views[0] };
+    // An eye on one of the points sees no depth.
+    let depth = chord.dot(along) / along.length_squared().max(f64::MIN_POSITIVE) * along;
     let across = chord - depth;
     let directions = [0, 1].map(|i| {
         let direction = ends[i].normal.cross(views[i]);
         if direction.dot(across) < 0.0 { -direction } else { direction }
     });
-    let flat = Hermite::along([positions[0], positions[0] + across], directions);
-    Hermite { ends: positions, tangents: flat.tangents.map(|tangent| tangent + depth) }
+    let squares = directions.map(|direction| direction.dot(across).powi(2) / direction.length_squared());
+    let share = share_in_image((squares[0].min(squares[1]) / across.length_squared()).sqrt());
+    let flat = Hermite::along([DVec3::ZERO, across], directions);
+    let mut tangents = flat.tangents.map(|tangent| tangent + depth);
+    if share < 1.0 {
+        let in_space = in_space();
+        tangents = [0, 1].map(|i| in_space.tangents[i].lerp(tangents[i], share));
+    }
+    Hermite { ends: positions, tangents }
+}
+
+/// How much the interpolation in the image counts, given the least cosine between a tangent and the chord there: all of it up to
+/// 30 degrees, nothing of it from 60 degrees on, where the curve may have a cusp and its direction no certain sign.
+fn share_in_image(cosine: f64) -> f64 {
+    let [least, most] = [0.5, 0.75_f64.sqrt()];
+    // No direction at all has no cosine.
+    let t = if cosine.is_nan() { 0.0 } else { ((cosine - least) / (most - least)).clamp(0.0, 1.0) };
+    t * t * (3.0 - 2.0 * t)
 }
 
 /// The silhouette's curve through a face.

@@ -14,7 +14,7 @@ use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_segments::SilhouetteSegments;
 use crate::silhouette_triangles::{SilhouetteTriangle, silhouette_triangles};
 use crate::vertex_visibility::VertexVisibility;
-use crate::view_mesh::{Remesher, ViewMesh};
+use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
@@ -22,7 +22,7 @@ use silhouette_core::{
 };
 use std::sync::Arc;
 
-/// Silhouettes of a coarse mesh as smooth curves, and the mesh re-meshed around them. See the [crate](crate).
+/// Silhouettes of a coarse mesh as smooth curves, and the mesh re-meshed around them. See the [crate].
 ///
 /// O(V + F) per view for classification and output, O(S) for curves, S being the number of silhouette triangles.
 #[derive(Debug, Clone)]
@@ -128,12 +128,6 @@ impl Smoothing {
         &self.counts
     }
 
-    /// What lowers its vertices.
-    #[cfg(feature = "gpu")]
-    pub(crate) fn perturber(&self) -> &Perturber {
-        &self.perturber
-    }
-
     /// Steps 2 to 4: silhouette triangles, silhouette points and segments of a view. Yields what was looked at; the results are
     /// read by [`silhouette`](Self::silhouette).
     pub fn find_silhouette(&mut self, eye: Eye) -> ExtractionStats {
@@ -187,18 +181,12 @@ impl Smoothing {
             if is_concave(ends)
                 && let Some(plane) = blocking_plane(segment, ends, eye)
             {
-                self.perturber.push(mesh, segment.triangle.face, plane);
+                self.perturber.push(segment.triangle.face, plane);
                 concave += 1;
             }
         }
-        // Shading vertices are sorted by vertex, as are the moves.
-        let mut at = 0;
         for &(vertex, to) in self.perturber.moved(mesh) {
-            at += mesh.vertices()[at..].partition_point(|&other| other < vertex);
-            while mesh.vertices().get(at) == Some(&vertex) {
-                out.positions[at] = to.as_vec3();
-                at += 1;
-            }
+            out.positions[mesh.shading_vertices(vertex)].fill(to.as_vec3());
         }
         concave
     }
@@ -211,6 +199,14 @@ impl Remesher for Smoothing {
         self.local_remeshing(out);
         self.perturb(view.eye(), out);
         true
+    }
+}
+
+impl MakesTriangles for Smoothing {
+    type Remesher = Self;
+
+    fn remesher(&self) -> Self {
+        self.clone()
     }
 }
 

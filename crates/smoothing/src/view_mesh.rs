@@ -1,7 +1,7 @@
 //! [`ViewMesh`]: the triangles that are drawn for one view.
 
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{FaceId, MeshError, TriangleMesh, weld};
+use silhouette_core::{FaceId, MeshError, Method, TriangleMesh, weld};
 
 /// Where a vertex of a [`ViewMesh`] lies on the mesh that it was made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +33,15 @@ pub trait Remesher: Send {
     /// Replaces `out` by the triangles of a view, and says whether they may differ from those of the last call. Once `out` and
     /// the scratch memory have grown, a call allocates nothing.
     fn remesh(&mut self, view: &crate::SmoothingView, out: &mut ViewMesh) -> bool;
+}
+
+/// A method that makes triangles of its own for each view, or once for all views.
+pub trait MakesTriangles: Method {
+    /// What makes them.
+    type Remesher: Remesher + 'static;
+
+    /// A maker of triangles; each has scratch memory of its own.
+    fn remesher(&self) -> Self::Remesher;
 }
 
 impl ViewMesh {

@@ -3,7 +3,6 @@
 use crate::chains::SegmentSource;
 use crate::curve_part::CurvePart;
 use crate::frame::PictureFrame;
-use crate::kind::LineKind;
 use crate::scene::{CurvePiece, LineScene};
 use crate::stroke::{Stroke, Strokes};
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
@@ -59,7 +58,7 @@ pub fn push_strokes(scene: &LineScene, frame: &PictureFrame, first_id: u32, stro
                     ends: [from.0, to.0],
                     vertices: [from.1, to.1],
                     source: SegmentSource::Curve(piece),
-                    kind: LineKind::Curve,
+                    kind: curve.kind,
                     object: curve.object,
                     own: 0..0,
                     surface: OnceLock::new(),

@@ -1,5 +1,6 @@
 //! [`LineScene`]: the meshes, labels and curves that are drawn together.
 
+use crate::kind::LineKind;
 use silhouette_core::glam::{BVec3, DVec3, Vec3};
 use silhouette_core::mesh::MeshError;
 use silhouette_core::{FaceId, PreparedMesh, TriangleMesh};
@@ -16,6 +17,8 @@ pub struct CurvePiece {
     pub control: [Vec3; 4],
     /// Faces that do not hide this piece.
     pub on_faces: Vec<FaceId>,
+    /// Why it is drawn, which its layer and pen depend on: [`LineKind::Curve`] where it stands for no other line.
+    pub kind: LineKind,
     /// The object it belongs to.
     pub object: u32,
 }
@@ -187,7 +190,7 @@ impl LineScene {
         self.labels.hash(&mut hasher);
         for curve in &self.curves {
             curve.control.iter().for_each(|position| bits(position).hash(&mut hasher));
-            (&curve.on_faces, curve.object).hash(&mut hasher);
+            (&curve.on_faces, curve.kind, curve.object).hash(&mut hasher);
         }
         hasher.finish()
     }

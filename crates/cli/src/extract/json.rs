@@ -1,19 +1,22 @@
 //! An extraction as JSON.
 
-use super::Extraction;
+use super::{Extraction, FoundEdges};
 use crate::failure::Failure;
+use glam::Vec3;
 use serde::Serialize;
+use silhouette_core::curves::{CurveChain, CurveKind, CurveSource, SmoothPiece};
 use silhouette_core::method::ExtractionStats;
-use silhouette_core::{VertexId, Viewpoint};
+use silhouette_core::{FaceId, Topology, VertexId, Viewpoint};
 
 #[derive(Serialize)]
 struct Document<'a> {
     method: &'static str,
     mesh: Counts,
     viewpoint: Viewpoint,
-    edges: &'a [[VertexId; 2]],
-    boundary: &'a [[VertexId; 2]],
-    loops: &'a [Vec<VertexId>],
+    #[serde(flatten)]
+    edges: Option<&'a FoundEdges>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curves: Option<Vec<Curve>>,
     stats: ExtractionStats,
 }
 
@@ -23,18 +26,50 @@ struct Counts {
     triangles: usize,
 }
 
+#[derive(Serialize)]
+struct Curve {
+    closed: bool,
+    pieces: Vec<Piece>,
+}
+
+#[derive(Serialize)]
+struct Piece {
+    kind: CurveKind,
+    source: PieceSource,
+    control: [Vec3; 4],
+}
+
+/// What a piece stands for, in the ids of the mesh.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum PieceSource {
+    Face(FaceId),
+    Edge([VertexId; 2]),
+}
+
 /// The document, with a line feed at its end.
 pub fn write(found: &Extraction) -> Result<Vec<u8>, Failure> {
+    let curves_of = |chain: CurveChain<'_>| curve(&chain, &found.topology);
     let document = Document {
         method: found.method,
         mesh: Counts { vertices: found.mesh.vertex_count(), triangles: found.mesh.face_count() },
         viewpoint: found.viewpoint,
-        edges: &found.edges,
-        boundary: &found.boundary,
-        loops: &found.loops,
+        edges: found.edges.as_ref(),
+        curves: found.curves.as_ref().map(|curves| curves.iter().map(curves_of).collect()),
         stats: found.stats,
     };
     let mut bytes = serde_json::to_vec(&document).map_err(Failure::run)?;
     bytes.push(b'\n');
     Ok(bytes)
+}
+
+fn curve(chain: &CurveChain<'_>, topology: &Topology) -> Curve {
+    let piece = |&SmoothPiece { control, kind, source }: &SmoothPiece| {
+        let source = match source {
+            CurveSource::Face(face) => PieceSource::Face(face),
+            CurveSource::Edge(edge) => PieceSource::Edge(topology.end_points(edge)),
+        };
+        Piece { kind, source, control }
+    };
+    Curve { closed: chain.closed, pieces: chain.pieces.iter().map(piece).collect() }
 }

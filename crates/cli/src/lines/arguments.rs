@@ -27,6 +27,11 @@ pub struct LinesArguments {
     /// of a visible line; needs an adapter
     #[arg(long, conflicts_with_all = ["hidden", "outline", "intersections"])]
     pub quick: bool,
+    /// Smooth curves in place of silhouette, boundary and crease edges, as of a finer mesh: each mesh is re-meshed for this view
+    /// by the method smoothing, and hides lines as that surface. SVG: cubic Bezier curves; JSON: no edges but curves, with
+    /// handles; glTF: chords within 0.05 pixels. What is --creases is sharp, and so is what bends by 75 degrees
+    #[arg(long, conflicts_with_all = ["quick", "materials", "all_edges"])]
+    pub smooth: bool,
     /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries [--weld alone: 0]
     #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
     pub weld: Option<f32>,

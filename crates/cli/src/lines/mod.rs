@@ -2,6 +2,7 @@
 
 mod arguments;
 mod quick;
+mod smooth;
 mod stats;
 
 pub use arguments::LinesArguments;
@@ -58,7 +59,14 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let load = started.elapsed();
 
     let started = Instant::now();
-    let wanted = arguments.line_options();
+    let mut wanted = arguments.line_options();
+    let scene = if arguments.smooth {
+        let (scene, of_curves) = smooth::scene(&meshes, &camera, &wanted, &progress)?;
+        wanted = of_curves;
+        scene
+    } else {
+        scene
+    };
     let (prepare, lines) = if arguments.quick {
         quick::find(&scene, &names, &camera, &wanted, &progress)?
     } else {

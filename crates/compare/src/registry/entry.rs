@@ -5,6 +5,7 @@ use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOp
 use silhouette_core::{SilhouetteEdges, Viewpoint};
 use silhouette_gpu::{DrawsLines, FillsImage, FrameRenderer, MeshBuffers, PenPlacement, RendererError, TargetFormats};
 use silhouette_render::Gpu;
+use silhouette_smoothing::{MakesTriangles, Remesher};
 use std::fmt;
 use std::sync::Arc;
 
@@ -21,6 +22,8 @@ pub struct Capabilities {
     pub lines: bool,
     /// Fills the image of the mesh.
     pub fill: bool,
+    /// Makes triangles of its own for each view.
+    pub triangles: bool,
 }
 
 /// A method of a registry.
@@ -37,7 +40,7 @@ type PrepareFn =
 impl Entry {
     /// Begins an entry of the method `M`, which can do nothing yet.
     pub fn of<M: Method>() -> EntryBuilder<M> {
-        EntryBuilder(Views { edges: None, loops: None, curves: None, lines: None, fill: None })
+        EntryBuilder(Views { edges: None, loops: None, curves: None, lines: None, fill: None, triangles: None })
     }
 
     /// What the method says of itself.
@@ -70,6 +73,8 @@ impl fmt::Debug for Entry {
     }
 }
 
+type MakeRemesher<M> = fn(&M) -> Box<dyn Remesher>;
+
 /// How a value of type `M` is seen as each of its capabilities.
 struct Views<M> {
     edges: Option<fn(&mut M) -> &mut dyn ExtractsEdges>,
@@ -77,6 +82,7 @@ struct Views<M> {
     curves: Option<fn(&mut M) -> &mut dyn ExtractsCurves>,
     lines: Option<fn(&M) -> &dyn LineMethod>,
     fill: Option<fn(&M) -> &dyn FillMethod>,
+    triangles: Option<MakeRemesher<M>>,
 }
 
 impl<M> Clone for Views<M> {
@@ -135,6 +141,15 @@ impl<M: Method> EntryBuilder<M> {
     {
         Self(Views { fill: Some(|method| method), ..self.0 })
     }
+
+    /// Adds triangles that the method makes for each view.
+    #[must_use]
+    pub fn triangles(self) -> Self
+    where
+        M: MakesTriangles,
+    {
+        Self(Views { triangles: Some(|method| Box::new(method.remesher())), ..self.0 })
+    }
 }
 
 impl<M: Method> From<EntryBuilder<M>> for Entry {
@@ -145,6 +160,7 @@ impl<M: Method> From<EntryBuilder<M>> for Entry {
             curves: views.curves.is_some(),
             lines: views.lines.is_some(),
             fill: views.fill.is_some(),
+            triangles: views.triangles.is_some(),
         };
         let prepare: Arc<PrepareFn> = Arc::new(move |mesh, options, progress| {
             let method = M::prepare(mesh, &M::Options::read(options)?, progress)?;
@@ -191,6 +207,11 @@ impl Prepared {
     /// The method as one that fills images.
     pub fn fill(&self) -> Option<&dyn FillMethod> {
         self.0.fill()
+    }
+
+    /// The method as one that makes triangles of its own for each view.
+    pub fn triangles(&self) -> Option<Box<dyn Remesher>> {
+        self.0.triangles()
     }
 }
 
@@ -262,6 +283,7 @@ trait Answers: Send {
     fn curves(&mut self) -> Option<&mut dyn ExtractsCurves>;
     fn lines(&self) -> Option<&dyn LineMethod>;
     fn fill(&self) -> Option<&dyn FillMethod>;
+    fn triangles(&self) -> Option<Box<dyn Remesher>>;
 }
 
 /// A prepared method with its views.
@@ -292,6 +314,9 @@ impl<M: Method> Answers for Seen<M> {
     }
     fn fill(&self) -> Option<&dyn FillMethod> {
         Some(self.views.fill?(&self.method))
+    }
+    fn triangles(&self) -> Option<Box<dyn Remesher>> {
+        Some(self.views.triangles?(&self.method))
     }
 }
 

@@ -53,8 +53,8 @@ impl Scene {
             return Err(form());
         }
         if self.methods.is_empty() {
-            let every = registry.entries().iter().map(|entry| entry.info().name.to_owned());
-            self.select(&every.collect::<Vec<_>>());
+            let every = registry.entries().iter().filter(|entry| yields_pictures(entry));
+            self.select(&every.map(|entry| entry.info().name.to_owned()).collect::<Vec<_>>());
         }
         let mut is_compared = false;
         for spec in self.methods.iter_mut().filter(|spec| spec.name == method) {
@@ -66,11 +66,11 @@ impl Scene {
     }
 }
 
-/// The choices of a scene, in its order: methods as listed, or all; of several options with lists, the last varies first. A
+/// The choices of a scene, in its order: methods as listed, or all that yield pictures; of several options with lists, the last varies first. A
 /// method that yields several kinds of picture is chosen for each.
 ///
 /// # Errors
-/// [`SceneFault`]: an unknown method or option, a value that does not fit, the same choice twice, more than
+/// [`SceneFault`]: an unknown method or option, a method without pictures, a value that does not fit, the same choice twice, more than
 /// [`MAX_CHOICES`].
 pub fn choices(scene: &Scene, registry: &Registry) -> Result<Vec<MethodChoice>, SceneFault> {
     let mut choices: Vec<MethodChoice> = Vec::new();
@@ -81,6 +81,9 @@ pub fn choices(scene: &Scene, registry: &Registry) -> Result<Vec<MethodChoice>, 
     }
     for spec in &scene.methods {
         let entry = registry.find(&spec.name)?;
+        if !yields_pictures(entry) {
+            return Err(SceneFault::NoPicture { method: spec.name.clone() });
+        }
         for words in combinations(spec, choices.len())? {
             let options = OptionValues::parse(entry.info().options, words.iter().map(String::as_str))
                 .map_err(|fault| SceneFault::Option { method: spec.name.clone(), fault })?;
@@ -94,6 +97,10 @@ pub fn choices(scene: &Scene, registry: &Registry) -> Result<Vec<MethodChoice>, 
         }
     }
     Ok(choices)
+}
+
+fn yields_pictures(entry: &Entry) -> bool {
+    pictures_of(entry.capabilities()).next().is_some()
 }
 
 /// A method with its options, once for each kind of picture.
@@ -140,10 +147,17 @@ mod tests {
         Ok(choices.into_iter().map(|choice| (choice.entry.info().name, choice.options.to_string())).collect())
     }
 
+    fn names_with_pictures() -> Vec<&'static str> {
+        let registry = Registry::builtin();
+        registry.entries().iter().filter(|entry| yields_pictures(entry)).map(|entry| entry.info().name).collect()
+    }
+
     #[test]
-    fn without_names_every_method_is_compared() {
+    fn without_names_every_method_that_yields_pictures_is_compared() {
         let names: Vec<_> = scene(&[], &[]).unwrap().into_iter().map(|(name, _)| name).collect();
-        assert_eq!(names, Registry::builtin().entries().iter().map(|entry| entry.info().name).collect::<Vec<_>>());
+        assert_eq!(names, names_with_pictures());
+        let fault = scene(&["interpolated-contours"], &[]).unwrap_err();
+        assert_eq!(fault, "interpolated-contours yields no picture that could be compared");
     }
 
     #[test]
@@ -156,7 +170,7 @@ mod tests {
         assert!(found(0, ["concavity=0 ", "mesh=cut"]) && found(1, ["concavity=0 ", "mesh=refuse"]), "{swept:?}");
         assert!(found(4, ["concavity=1 ", "mesh=cut"]), "{swept:?}");
         // Without --methods too.
-        assert_eq!(scene(&[], &["tracking.concavity=0,1"]).unwrap().len(), Registry::builtin().entries().len() + 1);
+        assert_eq!(scene(&[], &["tracking.concavity=0,1"]).unwrap().len(), names_with_pictures().len() + 1);
         // The later of two settings of one option counts.
         assert_eq!(scene(&["tracking"], &["tracking.jump=1,2", "tracking.jump=3"]).unwrap().len(), 1);
     }

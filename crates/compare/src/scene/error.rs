@@ -57,6 +57,12 @@ pub enum SceneFault {
     /// There is no such method.
     #[error("methods: {0}")]
     Method(#[from] UnknownMethod),
+    /// A method yields no picture.
+    #[error("{method} yields no picture that could be compared")]
+    NoPicture {
+        /// The method.
+        method: String,
+    },
     /// An option does not fit its method.
     #[error("{method}: {fault}")]
     Option {

@@ -35,8 +35,6 @@ pub(crate) struct FrameBuffers {
     pub arguments: wgpu::Buffer,
     #[cfg_attr(not(test), expect(dead_code, reason = "read back by tests"))]
     pub state: wgpu::Buffer,
-    #[cfg_attr(not(test), expect(dead_code, reason = "read back by tests"))]
-    pub sums: wgpu::Buffer,
     pub frame_group: wgpu::BindGroup,
     pub output_group: wgpu::BindGroup,
     pub levels: Levels,
@@ -85,7 +83,7 @@ impl FrameBuffers {
         let frame_group = buffers_group(device, "smoothing: frame", &pipelines.frame_layout, &frame_buffers);
         let output_buffers = [&sums, &indices, &arguments];
         let output_group = buffers_group(device, "smoothing: output", &pipelines.output_layout, &output_buffers);
-        Ok(Self { vertices, indices, arguments, state, sums, frame_group, output_group, levels, settings })
+        Ok(Self { vertices, indices, arguments, state, frame_group, output_group, levels, settings })
     }
 }
 

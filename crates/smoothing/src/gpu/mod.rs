@@ -27,6 +27,7 @@
 //!    how they are chained, stays as it is at rest.
 
 mod buffers;
+mod fills_image;
 mod pipelines;
 mod prefix_sum;
 mod renderer;
@@ -37,6 +38,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
+pub use fills_image::{ImagePipelines, ImageRenderer};
 pub use pipelines::SmoothingPipelines;
 pub use renderer::SmoothingRenderer;
 pub use room::Room;

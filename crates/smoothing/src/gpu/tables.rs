@@ -1,6 +1,7 @@
 //! [`Tables`]: what the stages know of a mesh's connectivity. Twin: `shaders/smoothing/frame.wgsl`.
 
 use crate::outward::inside_out_faces;
+use crate::perturbation::vertex_neighbours;
 use crate::shading_mesh::ShadingMesh;
 use crate::smoothing::Smoothing;
 use silhouette_core::id::HalfEdgeId;
@@ -56,7 +57,7 @@ impl Tables {
         let mesh = method.shading_mesh();
         let points = Points::new(method);
         let corners = Corners::new(mesh);
-        let (first_neighbours, neighbours) = method.perturber().neighbours();
+        let (first_neighbours, neighbours) = vertex_neighbours(mesh);
         let (first_feature_points, feature_points) = points.of_features(method);
         let counts = Counts {
             groups: mesh.vertices().len() as u32,
@@ -81,8 +82,8 @@ impl Tables {
             first_corners: push(&corners.first),
             group_corners: push(&corners.corners),
             first_groups: push(&first_groups(mesh)),
-            first_neighbours: push(first_neighbours),
-            neighbours: push(neighbours),
+            first_neighbours: push(&first_neighbours),
+            neighbours: push(&neighbours),
             first_feature_points: push(&first_feature_points),
             feature_points: push(&feature_points),
             feature_ends: push(feature_ends(method).as_flattened()),
@@ -167,12 +168,10 @@ fn turned_groups(mesh: &ShadingMesh) -> Vec<u32> {
     turned
 }
 
-/// The first shading vertex of each vertex; one more than there are vertices.
+/// The first shading vertex of each vertex, and one beyond the last.
 fn first_groups(mesh: &ShadingMesh) -> Vec<u32> {
-    let mut first = vec![0; mesh.mesh().vertex_count() + 1];
-    mesh.vertices().iter().for_each(|&vertex| first[vertex as usize + 1] += 1);
-    (1..first.len()).for_each(|vertex| first[vertex] += first[vertex - 1]);
-    first
+    let firsts = (0..mesh.mesh().vertex_count() as u32).map(|vertex| mesh.shading_vertices(vertex).start as u32);
+    firsts.chain([mesh.vertices().len() as u32]).collect()
 }
 
 /// Of each feature edge its lower and its higher vertex, and the vertices before and after it on its polyline or [`NONE`].

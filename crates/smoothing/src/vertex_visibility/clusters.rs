@@ -170,16 +170,28 @@ impl<const N: usize> Cell<N> {
     fn answer(&self, eye: &[f64; N]) -> Answer {
         let [low, high] = &self.extent;
         let (mut least, mut most, mut largest) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
-        for corner in 0..1_u32 << (N - 1) {
-            let coordinates: Coordinates<N> =
-                std::array::from_fn(|place| if corner >> place & 1 == 0 { low[place] } else { high[place] });
-            let point = self.chart.point(&coordinates);
-            let (mut sum, mut size) = (0.0, 0.0_f64);
-            for (a, b) in point.iter().zip(eye) {
-                sum += a * b;
-                size = size.max((a * b).abs());
+        match self.chart {
+            // Linear in the coordinates: each alone decides at which corner the sum is least.
+            Chart::Gnomonic { axis, is_negative } => {
+                let base = if is_negative { -eye[axis] } else { eye[axis] };
+                (least, most, largest) = (base, base, base.abs());
+                let others = (0..N).filter(|&other| other != axis);
+                for ((low, high), other) in low.iter().zip(high).zip(others) {
+                    let ends = [low * eye[other], high * eye[other]];
+                    least += ends[0].min(ends[1]);
+                    most += ends[0].max(ends[1]);
+                    largest = largest.max(ends[0].abs()).max(ends[1].abs());
+                }
             }
-            (least, most, largest) = (least.min(sum), most.max(sum), largest.max(size));
+            Chart::Angles => {
+                for corner in 0..1_u32 << (N - 1) {
+                    let end = |place: usize| if corner >> place & 1 == 0 { low[place] } else { high[place] };
+                    let point: [f64; N] = self.chart.point(&std::array::from_fn(end));
+                    let sum: f64 = point.iter().zip(eye).map(|(a, b)| a * b).sum();
+                    (least, most) = (least.min(sum), most.max(sum));
+                    largest = point.iter().zip(eye).fold(largest, |largest, (a, b)| largest.max((a * b).abs()));
+                }
+            }
         }
         if least > MARGIN * largest {
             Answer::Visible

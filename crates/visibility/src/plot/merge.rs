@@ -1,12 +1,13 @@
-//! Step 4, merge: points that lie on the line between others are dropped.
+//! Step 4, merge: points that lie on the line between others are dropped, and parts of one cubic become one again.
 
-use super::paths::{Path, Paths};
+use super::paths::{Path, Paths, Segment};
 use silhouette_core::glam::DVec2;
 
 /// Drops points of straight paths, and keeps every dropped point within `tolerance` (page units, from 0) of the segment
-/// that takes its place. Curves are left as they are. O(points).
+/// that takes its place. Consecutive curves become one where the control points of its parts lie within `tolerance` of theirs;
+/// a curve then strays no farther. O(points).
 ///
-/// The rule: from a kept point P, points are dropped as long as the next one lies no nearer to P than all of them, and
+/// The rule for straight paths: from a kept point P, points are dropped as long as the next one lies no nearer to P than all of them, and
 /// the straight segment from P to it passes every one of them within the tolerance. An open path keeps its ends, a
 /// closed one the corner where it turns the most; a closed path that is thinner than the tolerance becomes open.
 ///
@@ -19,10 +20,85 @@ pub fn merge(paths: &Paths, tolerance: f64) -> Paths {
         if path.handles.is_empty() {
             merge_path(path, tolerance, &mut merged);
         } else {
-            merged.push(path);
+            merge_curves(path, tolerance, &mut merged);
         }
     }
     merged
+}
+
+/// Most curves that become one, which bounds the work.
+const MOST_CURVES: usize = 64;
+
+fn merge_curves(path: Path<'_>, tolerance: f64, merged: &mut Paths) {
+    let mut run = CurveRun::default();
+    let mut kept = 0;
+    merged.begin();
+    for segment in path.segments() {
+        if !run.takes(&segment, tolerance) {
+            run.whole.iter().for_each(|whole| merged.extend(whole));
+            kept += 1;
+            run = CurveRun { whole: Some(segment), parts: vec![segment], ends: vec![1.0] };
+        }
+    }
+    run.whole.iter().for_each(|whole| merged.extend(whole));
+    // One curve that ends where it begins has two points all the same.
+    let closed = path.closed && kept > 1;
+    if closed {
+        merged.drop_repeated_point();
+    }
+    merged.finish(closed);
+}
+
+/// Consecutive curves, and the one that stands for them.
+#[derive(Default)]
+struct CurveRun {
+    whole: Option<Segment>,
+    parts: Vec<Segment>,
+    /// The parameter of the whole at which each part ends.
+    ends: Vec<f64>,
+}
+
+impl CurveRun {
+    /// Adds a curve, if one cubic can stand for it and all before it.
+    fn takes(&mut self, next: &Segment, tolerance: f64) -> bool {
+        let Some((whole, share)) = self.whole.and_then(|whole| united(&whole, next)) else { return false };
+        if self.parts.len() == MOST_CURVES {
+            return false;
+        }
+        let scaled = || self.ends.iter().map(|end| end * share);
+        let begins = std::iter::once(0.0).chain(scaled());
+        let ends = scaled().chain([1.0]);
+        let parts = self.parts.iter().chain([next]);
+        let follows = begins.zip(ends).zip(parts).all(|((begin, end), part)| {
+            let [one, other] = [&whole.part(begin, end), part].map(control_points);
+            one.iter().zip(other).all(|(one, other)| one.distance(other) <= tolerance)
+        });
+        if follows {
+            self.ends = scaled().chain([1.0]).collect();
+            self.parts.push(*next);
+            self.whole = Some(whole);
+        }
+        follows
+    }
+}
+
+/// The cubic that two consecutive ones are parts of, if they are, and the parameter at which they meet: it divides the line
+/// through both handles where they meet, as de Casteljau's subdivision does.
+fn united(one: &Segment, next: &Segment) -> Option<(Segment, f64)> {
+    let ([leaving, before], [after, arriving]) = (one.handles?, next.handles?);
+    let [to_meeting, from_meeting] = [one.to.distance(before), next.from.distance(after)];
+    let share = to_meeting / (to_meeting + from_meeting);
+    if !(share > 0.0 && share < 1.0) {
+        return None;
+    }
+    let handles = [one.from + (leaving - one.from) / share, next.to + (arriving - next.to) / (1.0 - share)];
+    Some((Segment { from: one.from, to: next.to, handles: Some(handles) }, share))
+}
+
+/// The ends and handles of a segment.
+fn control_points(segment: &Segment) -> [DVec2; 4] {
+    let [a, b] = segment.handles.unwrap_or([segment.from, segment.to]);
+    [segment.from, a, b, segment.to]
 }
 
 fn merge_path(path: Path<'_>, tolerance: f64, merged: &mut Paths) {
@@ -111,5 +187,84 @@ impl Sleeve {
                 if left.perp_dot(old_left) > 0.0 { left } else { old_left },
             ],
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHOLE: Segment = Segment {
+        from: DVec2::new(0.0, 0.0),
+        to: DVec2::new(90.0, 10.0),
+        handles: Some([DVec2::new(10.0, 60.0), DVec2::new(70.0, -40.0)]),
+    };
+
+    /// A path of these parts of [`WHOLE`], each of whose handles is moved by `off`.
+    fn parts(ends: &[f64], off: DVec2) -> Paths {
+        let mut paths = Paths::default();
+        paths.begin();
+        for pair in ends.windows(2) {
+            let part = WHOLE.part(pair[0], pair[1]);
+            paths.extend(&Segment { handles: part.handles.map(|[a, b]| [a + off, b - off]), ..part });
+        }
+        paths.finish(false);
+        paths
+    }
+
+    #[test]
+    fn parts_of_one_cubic_become_it_again() {
+        let merged = merge(&parts(&[0.0, 0.1, 0.15, 0.5, 0.8, 1.0], DVec2::ZERO), 1e-6);
+        assert_eq!(merged.get(0).segment_count(), 1);
+        let distances = control_points(&merged.get(0).segment(0)).into_iter().zip(control_points(&WHOLE));
+        assert!(distances.into_iter().all(|(one, other)| one.distance(other) < 1e-9));
+    }
+
+    #[test]
+    fn what_is_no_part_of_one_cubic_stays_apart() {
+        let ends = [0.0, 0.3, 0.6, 1.0];
+        for (off, count) in [(0.0, 1), (1e-3, 1), (0.5, 3)] {
+            let merged = merge(&parts(&ends, DVec2::new(off, -off)), 0.01);
+            assert_eq!(merged.get(0).segment_count(), count, "handles moved by {off}");
+        }
+        // A corner.
+        let mut paths = Paths::default();
+        paths.begin();
+        paths.extend(&WHOLE);
+        paths.extend(&WHOLE.reversed());
+        paths.finish(false);
+        assert_eq!(merge(&paths, 0.01).get(0).segment_count(), 2);
+    }
+
+    #[test]
+    fn united_curves_keep_within_the_tolerance() {
+        let tolerance = 0.2;
+        let paths = parts(&(0..=40).map(|i| f64::from(i) / 40.0).collect::<Vec<_>>(), DVec2::new(0.01, 0.02));
+        let merged = merge(&paths, tolerance);
+        let points = |paths: &Paths, steps: u32| -> Vec<DVec2> {
+            let segments: Vec<Segment> = paths.get(0).segments().collect();
+            segments.iter().flat_map(|s| (0..=steps).map(|i| s.at(f64::from(i) / f64::from(steps)))).collect()
+        };
+        assert!(merged.get(0).segment_count() < 10, "{}", merged.get(0).segment_count());
+        let curve = points(&merged, 2000);
+        for point in points(&paths, 10) {
+            let nearest = curve.iter().map(|other| point.distance(*other)).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= tolerance + 0.1, "{nearest}");
+        }
+        assert_eq!(merged.get(0).start(), WHOLE.from);
+        assert_eq!(merged.get(0).end(), WHOLE.to);
+    }
+
+    #[test]
+    fn a_closed_path_of_one_cubic_is_an_open_one_that_ends_where_it_begins() {
+        let drop = Segment { to: WHOLE.from, ..WHOLE };
+        let mut paths = Paths::default();
+        paths.begin();
+        paths.extend(&drop.part(0.0, 0.5));
+        paths.extend(&drop.part(0.5, 1.0));
+        paths.drop_repeated_point();
+        paths.finish(true);
+        let merged = merge(&paths, 1e-6);
+        assert_eq!((merged.get(0).segment_count(), merged.get(0).start()), (1, merged.get(0).end()));
     }
 }

@@ -74,7 +74,7 @@ fn ring() -> Vec<CurvePiece> {
         .map(|quarter| {
             let (from, to) = (corner[quarter], corner[(quarter + 1) % 4]);
             let control = [from * radius, from * radius + to * handle, to * radius + from * handle, to * radius];
-            CurvePiece { control, on_faces: Vec::new(), object: 0 }
+            CurvePiece { control, on_faces: Vec::new(), kind: LineKind::Curve, object: 0 }
         })
         .collect()
 }
@@ -115,13 +115,27 @@ fn a_ring_around_a_ball_is_hidden_behind_it() {
 }
 
 #[test]
+fn a_curve_is_of_the_kind_that_it_was_given() {
+    let of_kind = |kind| ring().into_iter().map(|piece| CurvePiece { kind, ..piece }).collect();
+    let scene = LineScene::new(prepared(builtin("icosphere:4")));
+    let scenes = [LineKind::Silhouette, LineKind::Ridge].map(|kind| scene.clone().with_curves(of_kind(kind)).unwrap());
+    assert_ne!(scenes[0].fingerprint(), scenes[1].fingerprint());
+    let options = LineOptions { silhouette: false, ..LineOptions::default() };
+    for (scene, kind) in scenes.into_iter().zip([LineKind::Silhouette, LineKind::Ridge]) {
+        let lines = find(scene, DVec3::Z, &options);
+        assert!(lines.chains.len() > 0 && lines.chains.iter().all(|chain| chain.style.kind == kind));
+    }
+}
+
+#[test]
 fn faces_that_a_curve_lies_on_do_not_hide_it() {
     let square =
         TriangleMesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE.with_z(0.0)], vec![[0, 1, 2], [2, 1, 3]]);
     let mesh = prepared(square.unwrap());
     let at = |x: f32| Vec3::new(x, 0.5, -0.001);
     let hidden_length = |on_faces: Vec<FaceId>| {
-        let piece = CurvePiece { control: [at(0.1), at(0.3), at(0.6), at(0.9)], on_faces, object: 0 };
+        let control = [at(0.1), at(0.3), at(0.6), at(0.9)];
+        let piece = CurvePiece { control, on_faces, kind: LineKind::Curve, object: 0 };
         let scene = LineScene::new(Arc::clone(&mesh)).with_curves(vec![piece]).unwrap();
         let options = LineOptions { max_invisibility: u32::MAX, ..LineOptions::default() };
         length(&find(scene, DVec3::Z, &options), LineKind::Curve, false)

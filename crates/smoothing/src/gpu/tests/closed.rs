@@ -1,6 +1,6 @@
 //! Triangles join, whatever the view and however little room there is.
 
-use super::scene::{Scene, cameras, pipelines};
+use super::scene::{Scene, cameras, method, pipelines, sized_cameras};
 use crate::SmoothingOptions;
 use crate::gpu::Room;
 use crate::tests::smoothing;
@@ -34,14 +34,14 @@ fn without_room_every_curve_is_one_piece_and_the_mesh_is_as_closed() {
     let pipelines = pipelines(gpu);
     for name in ["icosphere:2", "cylinder", "gear", "torus:16,10"] {
         let options = SmoothingOptions { tolerance_px: 0.01, ..Default::default() };
-        let method = super::scene::method(name, options);
+        let method = method(name, options);
         let mesh = method.shading_mesh().mesh();
         let least = Room::worst(&method, 1);
         assert!(least.triangles < Room::for_mesh(&method).triangles);
         let mut wide = Scene::new(gpu, &pipelines, &method);
         let mut narrow = Scene::with_room(gpu, &pipelines, &method, Room { triangles: 0, vertices: 0 });
         let mut any_fewer = false;
-        for camera in cameras(mesh, 6) {
+        for camera in sized_cameras(mesh, 6, 8192) {
             let [all, few] = [&mut wide, &mut narrow].map(|scene| scene.frame(&camera));
             assert!(few.triangles.len() as u64 <= least.triangles, "{name}");
             any_fewer |= few.triangles.len() < all.triangles.len();

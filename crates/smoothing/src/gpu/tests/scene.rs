@@ -19,8 +19,13 @@ pub(super) const SHAPES: [&str; 7] = ["icosphere:1", "torus:16,10", "blob:800", 
 
 /// Views from all around, in a perspective and in parallel projection by turns.
 pub(super) fn cameras(mesh: &TriangleMesh, count: usize) -> Vec<Camera> {
+    sized_cameras(mesh, count, 256)
+}
+
+/// The same for square images of this side, in pixels.
+pub(super) fn sized_cameras(mesh: &TriangleMesh, count: usize, side: u32) -> Vec<Camera> {
     let framing = |index| if index % 2 == 0 { views::PERSPECTIVE } else { Framing::Orthographic };
-    let camera = |(index, direction)| views::framed(mesh, direction, framing(index), [256; 2]);
+    let camera = |(index, direction)| views::framed(mesh, direction, framing(index), [side; 2]);
     spread(count).enumerate().map(camera).collect()
 }
 

@@ -1,11 +1,12 @@
 //! Each stage against its CPU twin.
 
 use super::scene::{Frame, SHAPES, Scene, cameras, method, pipelines};
-use crate::eye::Eye;
 use crate::feature_segments::Tangents;
+use crate::gpu::tables::Tables;
 use crate::perturbation::Perturbation;
 use crate::sampling::Sampling;
 use crate::silhouette_segments::SegmentLaw;
+use crate::vertex_visibility::visible;
 use crate::{Remesher as _, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
 use silhouette_core::view::Camera;
 use silhouette_testing::gpu_or_skip;
@@ -27,7 +28,7 @@ struct Differences {
     far_vertices: usize,
 }
 
-/// The shares of a view in which all signs agree, which those that follow from them may be compared in.
+/// Compares what a frame left with what the CPU makes of the same view; all that follows from signs only where these agree.
 fn compare(method: &mut Smoothing, frame: &Frame, camera: &Camera, sums: &mut Differences) {
     let view = SmoothingView::from_camera(camera);
     let mut out = ViewMesh::default();
@@ -38,8 +39,8 @@ fn compare(method: &mut Smoothing, frame: &Frame, camera: &Camera, sums: &mut Di
     for (group, (&position, &normal)) in mesh.positions().iter().zip(mesh.normals()).enumerate() {
         assert!(frame.normals[group].distance(normal.as_dvec3()) < 1e-6);
         let toward = view.eye().toward(position.as_dvec3());
-        let visible = crate::vertex_visibility::visible(position, normal, view.eye());
-        if visible != frame.is_visible(group) {
+        let expected = visible(position, normal, view.eye());
+        if expected != frame.is_visible(group) {
             all_agree = false;
             assert!(normal.as_dvec3().dot(toward).abs() <= CERTAIN * toward.length(), "vertex {group}");
         }
@@ -48,11 +49,11 @@ fn compare(method: &mut Smoothing, frame: &Frame, camera: &Camera, sums: &mut Di
         return;
     }
     let silhouette = method.silhouette();
+    let tables = Tables::new(method);
     for segment in silhouette.segments() {
         let (face, lone) = (segment.triangle.face.index(), segment.triangle.lone as usize);
         for (end, slot) in [lone, (lone + 2) % 3].into_iter().enumerate() {
             let expected = silhouette.points()[segment.points[end] as usize];
-            let tables = crate::gpu::tables::Tables::new(method);
             let point = tables.words[tables.at.sides as usize + 3 * face + slot] / 2;
             let found = frame.positions[(frame.settings.groups + point) as usize];
             sums.points += 1;
@@ -112,5 +113,4 @@ fn both_paths_agree_stage_by_stage() {
     assert!(sums.points > 2000 && sums.worst_point < NEAR, "{sums:?}");
     assert!(sums.other_pieces * 200 <= sums.segments, "{sums:?}");
     assert!(sums.moved > 20 && sums.far_vertices * 50 <= sums.moved, "{sums:?}");
-    let _ = Eye::new;
 }

@@ -20,7 +20,6 @@ fn running_sums_are_exact() {
         let elements: Vec<[u32; 4]> = (0..count).map(|_| [0; 4].map(|_: u32| random.below(200) as u32)).collect();
         let usage = wgpu::BufferUsages::COPY_SRC;
         let sums = storage_buffer(device, "sums", levels.bytes(), usage).unwrap();
-        let other = storage_buffer(device, "unused", 64, usage).unwrap();
         queue.write_buffer(&sums, 0, bytemuck::cast_slice(&elements));
         let camera = CameraBinding::new(device, &CameraBinding::layout(device), size_of::<SmoothingUniform>());
         let settings = SmoothingUniform {
@@ -31,8 +30,9 @@ fn running_sums_are_exact() {
             ..SmoothingUniform::zeroed()
         };
         camera.write(queue, &CameraUniform::new(DMat4::IDENTITY), &settings);
-        let output = buffers_group(device, "sums", &pipelines.output_layout, &[&sums, &other, &other_2(device)]);
-        let frame_buffers: Vec<_> = (0..5).map(|_| other_2(device)).collect();
+        let output =
+            buffers_group(device, "sums", &pipelines.output_layout, &[&sums, &unused(device), &unused(device)]);
+        let frame_buffers: Vec<_> = (0..5).map(|_| unused(device)).collect();
         let frame = buffers_group(device, "frame", &pipelines.frame_layout, &frame_buffers.iter().collect::<Vec<_>>());
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -59,6 +59,6 @@ fn running_sums_are_exact() {
     }
 }
 
-fn other_2(device: &wgpu::Device) -> wgpu::Buffer {
+fn unused(device: &wgpu::Device) -> wgpu::Buffer {
     storage_buffer(device, "unused", 64, wgpu::BufferUsages::COPY_SRC).unwrap()
 }
