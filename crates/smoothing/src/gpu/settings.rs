@@ -124,3 +124,64 @@ impl SmoothingUniform {
         Self { eye: eye.to_array(), viewport_px, ..*self }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_shaders::{ALL, layout};
+    use std::mem::offset_of;
+
+    #[test]
+    fn the_uniform_is_laid_out_as_its_wgsl_twin() {
+        macro_rules! members {
+            ($($name:ident),+) => { [$((stringify!($name), offset_of!(SmoothingUniform, $name))),+] };
+        }
+        let members = members![
+            eye,
+            viewport_px,
+            tolerance_px,
+            newton_steps,
+            segment_law,
+            sampling_law,
+            perturbation_law,
+            normal_weights,
+            tangent_law,
+            groups,
+            vertices,
+            faces,
+            points,
+            features,
+            triangle_room,
+            vertex_room,
+            sides_at,
+            owners_at,
+            point_features_at,
+            group_vertices_at,
+            turned_groups_at,
+            first_corners_at,
+            group_corners_at,
+            first_groups_at,
+            first_neighbours_at,
+            neighbours_at,
+            first_feature_points_at,
+            feature_points_at,
+            feature_ends_at,
+            parameters_at,
+            sampling_at,
+            inner_points_at,
+            segments_at,
+            segment_data_at,
+            level_1_at,
+            level_2_at,
+            total_at,
+            levels
+        ];
+        let size = size_of::<SmoothingUniform>();
+        let mut stages = 0;
+        for (path, text) in ALL.iter().filter(|(_, text)| text.contains("var<uniform> settings: SmoothingUniform")) {
+            assert!(layout::matches(text, "SmoothingUniform", size, &members), "{path}");
+            stages += 1;
+        }
+        assert_eq!(stages, 9);
+    }
+}

@@ -4,7 +4,7 @@ use crate::outward::inside_out_faces;
 use crate::perturbation::vertex_neighbours;
 use crate::shading_mesh::ShadingMesh;
 use crate::smoothing::Smoothing;
-use silhouette_core::id::HalfEdgeId;
+use silhouette_core::id::{HalfEdgeId, VertexId};
 use silhouette_core::topology::Twin;
 
 /// No vertex, no feature edge.
@@ -178,7 +178,7 @@ fn first_groups(mesh: &ShadingMesh) -> Vec<u32> {
 fn feature_ends(method: &Smoothing) -> Vec<[u32; 4]> {
     let topology = method.shading_mesh().topology();
     let ends = |&edge| {
-        let [lower, higher] = topology.end_points(edge).map(|vertex| vertex.get());
+        let [lower, higher] = topology.end_points(edge).map(VertexId::get);
         [lower, higher, NONE, NONE]
     };
     let mut all: Vec<_> = method.features().edges().iter().map(ends).collect();

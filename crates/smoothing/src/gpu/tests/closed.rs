@@ -1,9 +1,9 @@
 //! Triangles join, whatever the view and however little room there is.
 
 use super::scene::{Scene, cameras, method, pipelines, sized_cameras};
-use crate::SmoothingOptions;
 use crate::gpu::Room;
 use crate::tests::smoothing;
+use crate::{Remesher as _, SmoothingOptions, SmoothingView, ViewMesh};
 use silhouette_core::{Topology, TriangleMesh};
 use silhouette_testing::{gpu_or_skip, zoo};
 
@@ -24,6 +24,28 @@ fn closed_meshes_stay_closed() {
                 assert!(frame.triangles.iter().flatten().all(|&vertex| (vertex as usize) < frame.local.len()));
                 assert_eq!(boundary_edges(&frame.welded()), boundary_edges(&mesh), "{name} at {crease_deg} degrees");
             }
+        }
+    }
+}
+
+#[test]
+fn no_mesh_makes_an_index_out_of_range_or_a_vertex_that_is_no_number() {
+    let Some(gpu) = gpu_or_skip("no_mesh_makes_an_index_out_of_range") else { return };
+    let pipelines = pipelines(gpu);
+    for (name, mesh) in zoo::all() {
+        let mut all = smoothing(mesh.clone(), SmoothingOptions::default());
+        let mut scene = Scene::new(gpu, &pipelines, &all);
+        for camera in cameras(&mesh, 4) {
+            let frame = scene.frame(&camera);
+            let triangles = frame.proper_triangles();
+            let vertices = triangles.iter().flatten().map(|&vertex| vertex as usize);
+            assert!(vertices.clone().all(|vertex| vertex < frame.local.len()), "{name}");
+            assert!(vertices.clone().all(|vertex| frame.local[vertex].is_finite()), "{name}");
+            assert!(vertices.clone().all(|vertex| frame.normals[vertex].is_finite()), "{name}");
+            let mut out = ViewMesh::default();
+            all.remesh(&SmoothingView::from_camera(&camera), &mut out);
+            let (found, expected) = (triangles.len() as f64, out.triangles.len() as f64);
+            assert!((found - expected).abs() <= 0.02 * expected + 2.0, "{name}: {found} for {expected}");
         }
     }
 }

@@ -109,7 +109,6 @@ fn both_paths_agree_stage_by_stage() {
             }
         }
     }
-    println!("{sums:?}");
     assert!(sums.points > 2000 && sums.worst_point < NEAR, "{sums:?}");
     assert!(sums.other_pieces * 200 <= sums.segments, "{sums:?}");
     assert!(sums.moved > 20 && sums.far_vertices * 50 <= sums.moved, "{sums:?}");
