@@ -23,7 +23,7 @@ struct SmoothingUniform {
     triangle_room: u32,
     vertex_room: u32,
     // Where the parts of `tables` begin; the shading vertices of the faces' corners come first.
-    // For each half-edge, twice its point plus 1 if it runs from the lower vertex to the higher.
+    // For each half-edge a word: see `side_point_of`, `runs_forward` and `is_feature`.
     sides_at: u32,
     // For each point, a half-edge that it lies on, and the feature edge or NONE.
     owners_at: u32,
@@ -107,6 +107,25 @@ fn is_visible(group: u32) -> bool {
 // The half-edge after another around their face.
 fn next_side(half_edge: u32) -> u32 {
     return select(half_edge + 1u, half_edge - 2u, half_edge % 3u == 2u);
+}
+
+fn side_word(half_edge: u32) -> u32 {
+    return tables[settings.sides_at + half_edge];
+}
+
+// The place of the silhouette point on a side.
+fn side_point_of(word: u32) -> u32 {
+    return word >> 2u;
+}
+
+// Whether a side is a feature edge.
+fn is_feature(word: u32) -> bool {
+    return (word & 2u) != 0u;
+}
+
+// Whether a side runs from the lower vertex to the higher.
+fn runs_forward(word: u32) -> bool {
+    return (word & 1u) != 0u;
 }
 
 // Where a silhouette point lies among the vertices.

@@ -109,9 +109,11 @@ fn write_triangles(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_wo
     triangle = before.x;
     vertex = point_vertex(settings.points) + before.y;
     let word = state[settings.segments_at + face];
-    if pieces_of(word) == 0u {
+    if pieces_of(word) > 0u {
+        write_silhouette(face, lone_of(word), select(pieces_of(word), 1u, coarse), coarse);
+    } else if has_feature(face) {
         write_bent(face, coarse);
     } else {
-        write_silhouette(face, lone_of(word), select(pieces_of(word), 1u, coarse), coarse);
+        push_triangle(tables[3u * face], tables[3u * face + 1u], tables[3u * face + 2u]);
     }
 }

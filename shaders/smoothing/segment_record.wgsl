@@ -41,8 +41,8 @@ fn store_segment(face: u32, curve: Hermite, normal: vec3<f32>) {
 
 // Where the first and the second silhouette point of a face lie among the vertices.
 fn segment_ends(face: u32, lone: u32) -> vec2<u32> {
-    let leaving = tables[settings.sides_at + 3u * face + lone] >> 1u;
-    let returning = tables[settings.sides_at + 3u * face + (lone + 2u) % 3u] >> 1u;
+    let leaving = side_point_of(side_word(3u * face + lone));
+    let returning = side_point_of(side_word(3u * face + (lone + 2u) % 3u));
     return vec2<u32>(point_vertex(leaving), point_vertex(returning));
 }
 

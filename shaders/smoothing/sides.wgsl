@@ -47,9 +47,9 @@ fn share_of(side: Side, u: f32) -> f32 {
 
 // A side, with or without a silhouette point on it. `first` is the first vertex that it may take for itself.
 fn bent_side(half_edge: u32, has_point: bool, coarse: bool, first: u32) -> Side {
-    let packed = tables[settings.sides_at + half_edge];
-    let point = packed >> 1u;
-    let is_forward = (packed & 1u) != 0u;
+    let word = side_word(half_edge);
+    let point = side_point_of(word);
+    let is_forward = runs_forward(word);
     let feature = tables[settings.point_features_at + point];
     var side = Side(tables[half_edge], tables[next_side(half_edge)], 0u, 0u, first, 0u, 0u, feature, is_forward, NONE);
     let u = parameter_of(point);
@@ -74,6 +74,11 @@ fn bent_side(half_edge: u32, has_point: bool, coarse: bool, first: u32) -> Side 
         side.silhouette_at = select(side.inner - 1u - rank, rank, is_forward);
     }
     return side;
+}
+
+// Whether a side of a face is a feature edge.
+fn has_feature(face: u32) -> bool {
+    return is_feature(side_word(3u * face) | side_word(3u * face + 1u) | side_word(3u * face + 2u));
 }
 
 // Vertices that a side takes for itself.

@@ -58,21 +58,8 @@ fn refined(start: f32, begins_visible: bool, n0: vec3<f32>, n1: vec3<f32>, curve
     return u;
 }
 
-@compute @workgroup_size(WORKGROUP)
-fn find_points(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let point = element(id, groups);
-    if point >= settings.points {
-        return;
-    }
-    let half_edge = tables[settings.owners_at + point];
-    let is_forward = (tables[settings.sides_at + half_edge] & 1u) != 0u;
-    let begin = tables[half_edge];
-    let end = tables[next_side(half_edge)];
-    let v0 = select(end, begin, is_forward);
-    let v1 = select(begin, end, is_forward);
-    if is_visible(v0) == is_visible(v1) {
-        return;
-    }
+// Finds the point between two shading vertices, of which one is visible.
+fn find_point(point: u32, v0: u32, v1: u32) {
     let p0 = position_of(v0);
     let p1 = position_of(v1);
     let n0 = normal_of(v0);
@@ -104,4 +91,19 @@ fn find_points(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgr
     state[settings.parameters_at + point] = bitcast<u32>(u);
     store_position(point_vertex(point), position);
     store_normal(point_vertex(point), unit_or_zero(normal));
+}
+
+@compute @workgroup_size(WORKGROUP)
+fn find_points(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let point = element(id, groups);
+    if point >= settings.points {
+        return;
+    }
+    let half_edge = tables[settings.owners_at + point];
+    let is_forward = runs_forward(side_word(half_edge));
+    let begin = tables[half_edge];
+    let end = tables[next_side(half_edge)];
+    if is_visible(begin) != is_visible(end) {
+        find_point(point, select(end, begin, is_forward), select(begin, end, is_forward));
+    }
 }

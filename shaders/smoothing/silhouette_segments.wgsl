@@ -95,5 +95,9 @@ fn find_segments(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_work
             atomicStore(&at_concave[tables[settings.group_vertices_at + corners[slot]]], 1u);
         }
     }
-    sums[settings.features + face] = vec4<u32>(count_face(face, word, false), count_face(face, word, true));
+    var counts = vec4<u32>(count_plain(pieces_of(word)), count_plain(min(pieces_of(word), 1u)));
+    if has_feature(face) {
+        counts = vec4<u32>(count_face(face, word, false), count_face(face, word, true));
+    }
+    sums[settings.features + face] = counts;
 }

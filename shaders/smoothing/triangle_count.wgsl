@@ -39,6 +39,12 @@ fn count_bent(face: u32, coarse: bool) -> vec2<u32> {
     return vec2<u32>(3u + bends, bends + select(0u, 1u, bent_sides > 1u));
 }
 
+// Of a face without feature edges: the face itself, or a fan and a strip.
+fn count_plain(pieces: u32) -> vec2<u32> {
+    return select(vec2<u32>(2u * pieces + 1u, pieces - 1u), vec2<u32>(1u, 0u), pieces == 0u);
+}
+
+// Of any face.
 fn count_face(face: u32, word: u32, coarse: bool) -> vec2<u32> {
     if pieces_of(word) == 0u {
         return count_bent(face, coarse);

@@ -94,7 +94,7 @@ impl Tables {
 
 /// Where silhouette points may lie.
 struct Points {
-    /// For each half-edge, twice its point, plus 1 if it runs from the lower vertex to the higher.
+    /// For each half-edge four times its point, plus 2 on a feature edge, plus 1 if it runs from the lower vertex to the higher.
     sides: Vec<u32>,
     /// For each point, the first of its half-edges.
     owners: Vec<u32>,
@@ -111,7 +111,7 @@ impl Points {
             let half_edge = HalfEdgeId::new(index);
             let feature = method.features().index_of(topology.edge_of(half_edge));
             let point = match (feature, topology.twin(half_edge)) {
-                (None, Twin::HalfEdge(twin)) if twin < half_edge => points.sides[twin.index()] / 2,
+                (None, Twin::HalfEdge(twin)) if twin < half_edge => points.sides[twin.index()] / 4,
                 _ => {
                     points.owners.push(index);
                     points.features.push(feature.map_or(NONE, |feature| feature as u32));
@@ -120,7 +120,7 @@ impl Points {
             };
             let corners = mesh.mesh().triangles()[half_edge.face().index()];
             let ends = [half_edge.slot(), half_edge.next_in_face().slot()].map(|slot| corners[slot as usize]);
-            points.sides.push(2 * point + u32::from(ends[0] <= ends[1]));
+            points.sides.push(4 * point + 2 * u32::from(feature.is_some()) + u32::from(ends[0] <= ends[1]));
         }
         points
     }
@@ -130,7 +130,7 @@ impl Points {
         let (mut first, mut points) = (vec![0], Vec::new());
         for &edge in method.features().edges() {
             let half_edges = method.shading_mesh().topology().half_edges(edge);
-            points.extend(half_edges.iter().map(|half_edge| self.sides[half_edge.index()] / 2));
+            points.extend(half_edges.iter().map(|half_edge| self.sides[half_edge.index()] / 4));
             first.push(points.len() as u32);
         }
         (first, points)

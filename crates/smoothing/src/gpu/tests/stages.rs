@@ -54,7 +54,7 @@ fn compare(method: &mut Smoothing, frame: &Frame, camera: &Camera, sums: &mut Di
         let (face, lone) = (segment.triangle.face.index(), segment.triangle.lone as usize);
         for (end, slot) in [lone, (lone + 2) % 3].into_iter().enumerate() {
             let expected = silhouette.points()[segment.points[end] as usize];
-            let point = tables.words[tables.at.sides as usize + 3 * face + slot] / 2;
+            let point = tables.words[tables.at.sides as usize + 3 * face + slot] / 4;
             let found = frame.positions[(frame.settings.groups + point) as usize];
             sums.points += 1;
             sums.worst_point = sums.worst_point.max(found.distance(expected.position) / radius);
