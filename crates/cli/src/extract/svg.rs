@@ -3,6 +3,7 @@
 
 use super::Extraction;
 use glam::DVec2;
+use silhouette_core::SilhouetteCurves;
 use silhouette_core::curves::CurveChain;
 use silhouette_core::view::Camera;
 use svg::node::element::path::Data;
@@ -20,7 +21,7 @@ pub fn write(found: &Extraction, name: &str, camera: &Camera) -> Vec<u8> {
         .set("stroke-width", 1)
         .set("stroke-linejoin", "round")
         .set("stroke-linecap", "round");
-    for chain in found.curves.iter().flat_map(silhouette_core::SilhouetteCurves::iter) {
+    for chain in found.curves.iter().flat_map(SilhouetteCurves::iter) {
         group = group.add(Path::new().set("d", curve(&chain, camera)));
     }
     let loops = found.edges.iter().filter(|_| found.curves.is_none()).flat_map(|edges| &edges.loops);

@@ -123,7 +123,7 @@ fn a_curve_is_of_the_kind_that_it_was_given() {
     let options = LineOptions { silhouette: false, ..LineOptions::default() };
     for (scene, kind) in scenes.into_iter().zip([LineKind::Silhouette, LineKind::Ridge]) {
         let lines = find(scene, DVec3::Z, &options);
-        assert!(lines.chains.len() > 0 && lines.chains.iter().all(|chain| chain.style.kind == kind));
+        assert!(!lines.chains.is_empty() && lines.chains.iter().all(|chain| chain.style.kind == kind));
     }
 }
 
