@@ -1,7 +1,7 @@
-//! Filled images of the methods of this crate: white, lit from the viewer's upper left.
+//! Filled images of the methods that make triangles on the CPU: white, lit from the viewer's upper left.
 
 use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
-use crate::{AdaptiveRefinement, BoundaryCurve, MakesTriangles, PhongTessellation, PnTriangles, Smoothing};
+use crate::{AdaptiveRefinement, BoundaryCurve, MakesTriangles, PhongTessellation, PnTriangles};
 use silhouette_gpu::{Color, FillsImage, MeshBuffers, RendererError, Shade, TargetFormats};
 use std::sync::Arc;
 
@@ -34,4 +34,4 @@ macro_rules! fills_image {
     )+};
 }
 
-fills_image!(Smoothing, PnTriangles, PhongTessellation, BoundaryCurve, AdaptiveRefinement);
+fills_image!(PnTriangles, PhongTessellation, BoundaryCurve, AdaptiveRefinement);

@@ -29,7 +29,7 @@
 //! ```
 //!
 //! With the feature `gpu`, which is on by default, every method but [`InterpolatedContours`] fills images in your own wgpu pass
-//! (`silhouette_gpu::FillsImage`).
+//! (`silhouette_gpu::FillsImage`). [`Smoothing`] makes its triangles on the GPU (`gpu`), unless the option `path` says `cpu`.
 //!
 //! # The steps
 //!
@@ -101,7 +101,11 @@ pub use view_mesh::{MakesTriangles, Origin, Remesher, ViewMesh};
 #[cfg(feature = "gpu")]
 mod fills_image;
 #[cfg(feature = "gpu")]
+pub mod gpu;
+#[cfg(feature = "gpu")]
 pub mod view_mesh_renderer;
+#[cfg(feature = "gpu")]
+pub use gpu::{ImagePipelines, ImageRenderer, SmoothingPipelines, SmoothingRenderer};
 #[cfg(feature = "gpu")]
 pub use view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 

@@ -10,6 +10,16 @@ use crate::shading_normals::NormalWeights;
 use crate::silhouette_segments::SegmentLaw;
 use crate::vertex_visibility::Cells;
 
+silhouette_core::option_choice! {
+    /// What makes the triangles of a drawn view.
+    pub enum Path {
+        /// The GPU, by compute stages in 32 bits; nothing is read back.
+        Gpu = "gpu",
+        /// The CPU in 64 bits; the triangles are uploaded.
+        Cpu = "cpu",
+    }
+}
+
 silhouette_core::method_options! {
     /// Options of [`Smoothing`](crate::Smoothing).
     pub struct SmoothingOptions {
@@ -33,5 +43,7 @@ silhouette_core::method_options! {
         pub sampling: Sampling = choice("sampling"),
         /// The tangent of a feature polyline at a vertex.
         pub tangents: Tangents = choice("tangents"),
+        /// What makes the triangles of a drawn view.
+        pub path: Path = choice("path"),
     }
 }

@@ -82,34 +82,23 @@ impl Perturber {
 
     fn list_neighbours(&mut self, mesh: &ShadingMesh) {
         let vertices = mesh.mesh().vertex_count();
-        let edges = || mesh.topology().edges().iter().map(|(_, &[a, b])| [a, b]).filter(|[a, b]| a != b);
-        let mut first = vec![0; vertices + 1];
         self.reach = vec![f32::INFINITY; vertices];
         self.heads = vec![NONE; vertices];
-        for [a, b] in edges() {
+        for [a, b] in proper_edges(mesh) {
             let [from, to] = [a, b].map(|vertex| mesh.mesh().positions()[vertex as usize]);
             let length = from.as_dvec3().distance(to.as_dvec3()) as f32;
             for vertex in [a, b].map(|vertex| vertex as usize) {
-                first[vertex + 1] += 1;
                 self.reach[vertex] = self.reach[vertex].min(length);
             }
         }
-        (0..vertices).for_each(|vertex| first[vertex + 1] += first[vertex]);
-        let mut around = vec![0; first[vertices]];
-        let mut next = first.clone();
-        for [a, b] in edges() {
-            for (at, other) in [(a, b), (b, a)] {
-                around[next[at as usize]] = other;
-                next[at as usize] += 1;
-            }
-        }
+        let (first, around) = vertex_neighbours(mesh);
         self.first.push(0);
         let mut near = Vec::new();
         for corners in mesh.mesh().triangles() {
             near.clear();
             near.extend_from_slice(corners);
             for corner in corners.map(|corner| corner as usize) {
-                near.extend_from_slice(&around[first[corner]..first[corner + 1]]);
+                near.extend_from_slice(&around[first[corner] as usize..first[corner + 1] as usize]);
             }
             near.sort_unstable();
             near.dedup();
@@ -185,6 +174,28 @@ impl Perturber {
             + size_of_val(self.near.as_slice())
             + size_of_val(self.planes.as_slice())
     }
+}
+
+/// Edges between two vertices.
+fn proper_edges(mesh: &ShadingMesh) -> impl Iterator<Item = [u32; 2]> {
+    mesh.topology().edges().iter().map(|(_, &ends)| ends).filter(|[a, b]| a != b)
+}
+
+/// The vertices that an edge joins to vertex v, as `neighbours[first[v]..first[v + 1]]`: `(first, neighbours)`. O(E).
+pub(crate) fn vertex_neighbours(mesh: &ShadingMesh) -> (Vec<u32>, Vec<u32>) {
+    let vertices = mesh.mesh().vertex_count();
+    let mut first = vec![0; vertices + 1];
+    proper_edges(mesh).flatten().for_each(|vertex| first[vertex as usize + 1] += 1);
+    (0..vertices).for_each(|vertex| first[vertex + 1] += first[vertex]);
+    let mut neighbours = vec![0; first[vertices] as usize];
+    let mut next = first.clone();
+    for [a, b] in proper_edges(mesh) {
+        for (at, other) in [(a, b), (b, a)] {
+            neighbours[next[at as usize] as usize] = other;
+            next[at as usize] += 1;
+        }
+    }
+    (first, neighbours)
 }
 
 #[cfg(test)]

@@ -116,6 +116,18 @@ impl Smoothing {
         &self.fixed.features
     }
 
+    /// The chains of its feature edges.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn polylines(&self) -> &[FeaturePolyline] {
+        &self.fixed.polylines
+    }
+
+    /// Pieces of each segment of the view last sampled.
+    #[cfg(all(test, feature = "gpu"))]
+    pub(crate) fn counts(&self) -> &[u32] {
+        &self.counts
+    }
+
     /// Steps 2 to 4: silhouette triangles, silhouette points and segments of a view. Yields what was looked at; the results are
     /// read by [`silhouette`](Self::silhouette).
     pub fn find_silhouette(&mut self, eye: Eye) -> ExtractionStats {

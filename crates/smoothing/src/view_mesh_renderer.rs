@@ -37,8 +37,8 @@ impl SmoothingView {
 /// The pipeline of a colour, for all meshes.
 #[derive(Debug)]
 pub struct ViewMeshPipelines {
-    pipeline: wgpu::RenderPipeline,
-    formats: TargetFormats,
+    pub(crate) pipeline: wgpu::RenderPipeline,
+    pub(crate) formats: TargetFormats,
     shade: Shade,
 }
 
@@ -67,6 +67,16 @@ impl ViewMeshPipelines {
         .build(device);
         Self { pipeline, formats, shade }
     }
+
+    /// Uploads what the stages know of a view of a mesh in `frame`.
+    pub(crate) fn write(&self, queue: &wgpu::Queue, binding: &CameraBinding, frame: &LocalFrame, view: &FrameView) {
+        let color = match self.shade {
+            Shade::Flat(color) | Shade::Lit(color) => color,
+            Shade::DepthOnly => Color::TRANSPARENT,
+        };
+        let uniform = SurfaceUniform::new(frame, view, color, self.formats.is_linear());
+        binding.write(queue, &CameraUniform::new(frame.to_clip(view)), &uniform);
+    }
 }
 
 /// How far outside of a mesh a surface through its vertices may reach: the length of its longest edge, in its own units. No
@@ -78,6 +88,12 @@ pub fn reach(mesh: &TriangleMesh) -> f64 {
         from.distance(to)
     };
     mesh.triangles().iter().flat_map(sides).map(length).fold(0.0, f64::max)
+}
+
+/// The depths of `mesh` and of all that reaches at most `reach` beyond its bounds.
+pub(crate) fn widened(camera: &Camera, bounds: &Bounds, reach: f64, mesh: ClipRange) -> ClipRange {
+    let widened = camera.clip_range(&Bounds { radius: bounds.radius + reach, ..*bounds });
+    ClipRange { near: widened.near.min(mesh.near), far: widened.far.max(mesh.far) }
 }
 
 /// Draws what a [`Remesher`] makes, lit by Lambert's law with interpolated normals, nearest in front.
@@ -138,8 +154,7 @@ impl<R: Remesher> ViewMeshRenderer<R> {
 
 impl<R: Remesher> FrameRenderer for ViewMeshRenderer<R> {
     fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, view: &FrameView) -> Result<(), RendererError> {
-        let ViewMeshPipelines { formats, shade, .. } = &*self.pipelines;
-        formats.check(view)?;
+        self.pipelines.formats.check(view)?;
         self.viewport = None;
         let may_differ = self.remesher.remesh(&SmoothingView::from_frame(view), &mut self.triangles);
         let frame = self.mesh.frame();
@@ -148,12 +163,7 @@ impl<R: Remesher> FrameRenderer for ViewMeshRenderer<R> {
             let grown = Buffers::for_room(device, self.buffers.take(), &self.triangles)?;
             self.buffers = Some(grown.filled(queue, frame, &self.triangles));
         }
-        let color = match shade {
-            Shade::Flat(color) | Shade::Lit(color) => *color,
-            Shade::DepthOnly => Color::TRANSPARENT,
-        };
-        let uniform = SurfaceUniform::new(frame, view, color, formats.is_linear());
-        self.binding.write(queue, &CameraUniform::new(frame.to_clip(view)), &uniform);
+        self.pipelines.write(queue, &self.binding, frame, view);
         self.viewport = Some(view.viewport());
         self.is_moved = !self.mesh.is_at_rest();
         Ok(())
@@ -179,9 +189,7 @@ impl<R: Remesher> FrameRenderer for ViewMeshRenderer<R> {
     }
 
     fn clip_range(&self, camera: &Camera, mesh: ClipRange) -> ClipRange {
-        let Some(bounds) = self.mesh.bounds() else { return mesh };
-        let widened = camera.clip_range(&Bounds { radius: bounds.radius + self.reach, ..bounds });
-        ClipRange { near: widened.near.min(mesh.near), far: widened.far.max(mesh.far) }
+        self.mesh.bounds().map_or(mesh, |bounds| widened(camera, &bounds, self.reach, mesh))
     }
 }
 

@@ -5,17 +5,17 @@ mod coherence;
 mod cracks;
 mod extremes;
 mod outlines;
-mod remeshed;
+pub(crate) mod remeshed;
 
 use crate::{Smoothing, SmoothingOptions};
 use silhouette_core::{Method, PreparedMesh, TriangleMesh, shapes};
 use std::sync::Arc;
 
-fn smoothing(mesh: TriangleMesh, options: SmoothingOptions) -> Smoothing {
+pub(crate) fn smoothing(mesh: TriangleMesh, options: SmoothingOptions) -> Smoothing {
     Smoothing::new(&Arc::new(PreparedMesh::new(mesh)), options).unwrap()
 }
 
-fn shape(name: &str, options: SmoothingOptions) -> Smoothing {
+pub(crate) fn shape(name: &str, options: SmoothingOptions) -> Smoothing {
     smoothing(shapes::by_name(name).unwrap(), options)
 }
 

@@ -30,7 +30,8 @@ fn picture<M: FillsImage>(
     let view = FrameView::from_camera(camera, range, DEFAULT_FORMATS.depth_direction).unwrap();
     renderer.prepare(gpu.device(), gpu.queue(), &view).unwrap();
     let target = Target::new(gpu, camera.size(), DEFAULT_FORMATS).unwrap();
-    gpu.draw(&target, Load::Clear([0.0; 4]), |pass| renderer.draw(pass)).unwrap();
+    gpu.draw_after(&target, Load::Clear([0.0; 4]), |encoder| renderer.encode(encoder), |pass| renderer.draw(pass))
+        .unwrap();
     target.read_color(gpu).unwrap()
 }
 

@@ -1,0 +1,7 @@
+//! Each stage against its CPU twin, and the pictures of both paths.
+
+mod closed;
+mod picture;
+mod scene;
+mod stages;
+mod sums;
