@@ -19,10 +19,11 @@
 //! 5. Normals are interpolated linearly, so that a face does not change its light when it is split.
 
 use crate::eye::{Eye, SmoothingView};
+use crate::face_normal::face_normal;
 use crate::face_splitter::{FaceSplitter, Patch, Splitting};
 use crate::hermite::Hermite;
 use crate::pn_triangles::PnPatch;
-use crate::shading_mesh::{ShadingMesh, face_normal};
+use crate::shading_mesh::ShadingMesh;
 use crate::shading_normals::NormalWeights;
 use crate::side_curves::side_curves;
 use crate::tessellation::check_size;

@@ -1,8 +1,8 @@
 //! Which edges are feature edges: section II takes them as given; here they come from whoever made the mesh, from a dihedral
 //! angle, and from where the surface ends or branches.
 
+use crate::face_normal::face_normal;
 use crate::outward::consistent_pair;
-use crate::shading_mesh::face_normal;
 use silhouette_core::id::PerEdge;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 

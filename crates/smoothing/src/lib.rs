@@ -72,6 +72,7 @@ pub mod bridges;
 pub mod concavity;
 pub mod curves;
 pub mod eye;
+pub mod face_normal;
 pub mod feature_edges;
 pub mod feature_polylines;
 pub mod feature_samples;

@@ -4,7 +4,7 @@ use crate::feature_edges::feature_edges;
 use crate::outward::inside_out_faces;
 use crate::shading_normals::{Groups, NormalWeights, shading_normals};
 use crate::view_mesh::Origin;
-use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::glam::Vec3;
 use silhouette_core::id::{HalfEdgeId, PerEdge};
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
 use std::ops::Range;
@@ -128,10 +128,4 @@ impl ShadingMesh {
             + self.has_feature.len()
             + size_of_val(self.first.as_slice())
     }
-}
-
-/// The unit normal of a triangle, on the side from which its corners run counter-clockwise. `None` without an area.
-pub fn face_normal(corners: [Vec3; 3]) -> Option<DVec3> {
-    let [a, b, c] = corners.map(Vec3::as_dvec3);
-    (b - a).cross(c - a).try_normalize()
 }

@@ -5,7 +5,7 @@
 //! weights of Max ("Weights for computing vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999) are exact
 //! wherever a vertex and its neighbours lie on one sphere. `docs/methods/smoothing.md` has the figures.
 
-use crate::shading_mesh::face_normal;
+use crate::face_normal::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::id::{FaceId, HalfEdgeId, PerEdge};
 use silhouette_core::{EdgeId, Topology, TriangleMesh};

@@ -14,7 +14,6 @@ use crate::bridges::bridge;
 use crate::eye::Eye;
 use crate::feature_segments::FeatureSegments;
 use crate::hermite::Hermite;
-use crate::options::SmoothingOptions;
 use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_points::{SilhouettePoint, silhouette_point};
 use crate::silhouette_triangles::SilhouetteTriangle;
@@ -99,7 +98,8 @@ impl SilhouetteSegments {
         features: &FeatureSegments,
         triangles: &[SilhouetteTriangle],
         eye: Eye,
-        options: &SmoothingOptions,
+        newton_steps: u32,
+        law: SegmentLaw,
     ) {
         self.points.clear();
         self.segments.clear();
@@ -108,10 +108,10 @@ impl SilhouetteSegments {
             let sides = [triangle.lone, (triangle.lone + 2) % 3];
             let points = sides.map(|slot| {
                 let half_edge = HalfEdgeId::of(triangle.face, slot);
-                self.point_on(mesh, features, half_edge, eye, options)
+                self.point_on(mesh, features, half_edge, eye, newton_steps)
             });
             let [a, b] = points.map(|point| &self.points[point as usize]);
-            let curve = segment_curve([a, b], eye, options.segments);
+            let curve = segment_curve([a, b], eye, law);
             self.segments.push(SilhouetteSegment { triangle, points, curve });
         }
     }
@@ -122,7 +122,7 @@ impl SilhouetteSegments {
         features: &FeatureSegments,
         half_edge: HalfEdgeId,
         eye: Eye,
-        options: &SmoothingOptions,
+        newton_steps: u32,
     ) -> u32 {
         let edge = mesh.topology().edge_of(half_edge);
         let feature = features.index_of(edge);
@@ -145,9 +145,9 @@ impl SilhouetteSegments {
         let found = match feature {
             Some(index) => {
                 let segment = &features.segments()[index];
-                silhouette_point(positions, normals, segment, eye, options.newton_steps)
+                silhouette_point(positions, normals, segment, eye, newton_steps)
             }
-            None => silhouette_point(positions, normals, &bridge(positions, normals), eye, options.newton_steps),
+            None => silhouette_point(positions, normals, &bridge(positions, normals), eye, newton_steps),
         };
         let point = self.points.len() as u32;
         self.points.push(found);

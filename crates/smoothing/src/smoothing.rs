@@ -134,7 +134,7 @@ impl Smoothing {
         let Fixed { options, mesh, features, .. } = &*self.fixed;
         let tested = self.visibility.classify(mesh, eye);
         silhouette_triangles(mesh.triangles(), self.visibility.is_visible(), &mut self.triangles);
-        self.silhouette.find(mesh, features, &self.triangles, eye, options);
+        self.silhouette.find(mesh, features, &self.triangles, eye, options.newton_steps, options.segments);
         ExtractionStats {
             faces_tested: mesh.triangles().len() as u64,
             edges_tested: self.silhouette.points().len() as u64,
