@@ -46,7 +46,7 @@ struct SmoothingUniform {
     parameters_at: u32,
     // For each feature edge, its FeatureSampling.
     sampling_at: u32,
-    // Parameters of silhouette points inside feature edges, sorted, in the places of their points.
+    // Silhouette points inside feature edges, sorted, in the places of their points.
     inner_points_at: u32,
     // For each face, its segment: see `segment_word`, and 9 numbers for tangents and blocking plane.
     segments_at: u32,

@@ -35,7 +35,7 @@ impl Format {
     }
 }
 
-/// The pen that a picture is drawn with, which a filled one does not show.
+/// Width of the pen, which filled pictures do not use.
 const PEN_WIDTH_PX: f64 = 1.0;
 
 /// Runs the command.
@@ -96,7 +96,9 @@ fn summary(entry: &Entry, prepared: &mut Prepared, faces: usize, view_mesh: &Vie
         let mut curves = SilhouetteCurves::default();
         method.extract_curves(&camera.viewpoint(), &mut curves);
         let through_faces = curves.pieces().iter().filter(|piece| matches!(piece.source, CurveSource::Face(_))).count();
-        facts.push(format!("{through_faces} that the silhouette runs through"));
+        if through_faces > 0 {
+            facts.push(format!("{through_faces} of the mesh's crossed by the silhouette"));
+        }
         let chains = |kind: CurveKind| curves.iter().filter(|chain| chain.pieces[0].kind == kind).count();
         let kinds = [CurveKind::Silhouette, CurveKind::Boundary, CurveKind::Crease];
         let counts = kinds.map(|kind| format!("{} {}", chains(kind), kind.name()));

@@ -1,7 +1,7 @@
 //! Section III-E, adaptive sampling of feature segments: the points of one view at which each feature edge is bent.
 //!
 //! They are the same for all faces at the edge, the silhouette points that any of them has there included, so that neighbours
-//! meet without a gap. A feature segment that no visible vertex ends at is drawn as its edge, bent at silhouette points alone.
+//! meet without a gap. A feature segment that no visible vertex ends at is drawn as its edge.
 
 use crate::eye::SmoothingView;
 use crate::feature_segments::FeatureSegments;

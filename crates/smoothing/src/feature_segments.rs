@@ -135,6 +135,12 @@ impl FeatureSegments {
         (index != NONE).then_some(index as usize)
     }
 
+    /// How far control points are from where their segment begins, at most.
+    pub fn reach(&self) -> f64 {
+        let curves = self.segments.iter().flat_map(FeatureSegment::curves);
+        curves.flat_map(|curve| curve.control().map(|point| point.distance(curve.ends[0]))).fold(0.0, f64::max)
+    }
+
     /// Bytes held.
     pub fn bytes(&self) -> usize {
         size_of_val(self.edges.as_slice())
@@ -230,6 +236,10 @@ mod tests {
             assert!(error < most, "{degrees}: {error}");
             assert_eq!(segment.curves().len(), if degrees > 180.0 { 2 } else { 1 });
         }
+        assert!(FeatureSegments::default().reach() < 1e-12);
+        let wide = arc([on_circle(0.0), on_circle(300.0)], [tangent(0.0), tangent(300.0)]);
+        let reach = FeatureSegments { segments: vec![wide], ..Default::default() }.reach();
+        assert!(reach > 1.9, "the middle of the arc is nearly a diameter away: {reach}");
         let tiny = arc([on_circle(0.0), on_circle(355.0)], [tangent(0.0), tangent(355.0)]);
         assert!(tiny.point(0.5).distance(0.5 * (on_circle(0.0) + on_circle(355.0))) < 1e-12);
     }

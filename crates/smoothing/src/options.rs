@@ -29,9 +29,9 @@ silhouette_core::method_options! {
         pub newton_steps: u32 = whole("newton", 0..=8, default 3),
         /// How a silhouette segment is interpolated between its two points.
         pub segments: SegmentLaw = choice("segments"),
-        /// Dihedral angle from which on an edge is a feature edge; 180 leaves those that the mesh came with.
+        /// Dihedral angle from which an edge is a feature edge; 180 leaves those that the mesh came with, and where the surface ends or branches.
         pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
-        /// Turn from which on a feature polyline ends at a vertex; 180 lets it run around all corners.
+        /// Turn from which a feature polyline ends at a vertex; 180 lets it run around all corners.
         pub corner_deg: f64 = number("corner", 0.0..=180.0 "degrees", default 75.0),
         /// How much each face counts in the shading normal of a vertex.
         pub normals: NormalWeights = choice("normals"),

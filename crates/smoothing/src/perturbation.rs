@@ -11,6 +11,8 @@
 //! 2. A plane that faces away from R cannot be reached along R and is left out.
 //! 3. No vertex moves farther than the shortest of its edges is long.
 //! 4. Silhouette points are found before vertices are moved.
+//! 5. A plane that lies too far below a vertex for both to be of one arc, [`SAME_ARC`], belongs to another part of the surface and is
+//!    left out.
 
 use crate::concavity::BlockingPlane;
 use crate::shading_mesh::ShadingMesh;
@@ -29,7 +31,7 @@ silhouette_core::option_choice! {
     }
 }
 
-/// How high above a plane, as a share of the height of the segment's arc, a vertex of the same arc may stand: the neighbours of a
+/// How high above a plane, as a multiple of the height of the segment's arc, a vertex of the same arc may stand: the neighbours of a
 /// face reach one and a half chords from the middle of the segment, and heights grow as the square of the distance.
 pub const SAME_ARC: f64 = 9.0;
 

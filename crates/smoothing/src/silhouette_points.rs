@@ -5,7 +5,7 @@
 //!
 //! 1. Eq. 7 leads to a quadratic equation, whose textbook solution loses all digits where the eye is far away. It is solved for
 //!    u / (1 - u), of which exactly one root is positive and free of cancellation.
-//! 2. On request, steps of Newton's method on (S(u) - E) . N(u) = 0 with the bridge S itself, guarded by bisection, replace
+//! 2. Unless the option `newton` is 0, steps of Newton's method on (S(u) - E) . N(u) = 0 with the bridge S itself, guarded by bisection, replace
 //!    the approximation of Eq. 7.
 //! 3. Where the interpolated normal vanishes, the direction across the chord in the plane of the view takes its place.
 
@@ -96,7 +96,7 @@ fn linear_root([from, to]: [f64; 2]) -> f64 {
 /// The root in [0, 1] of (1 - u)² a + u (1 - u) b + u² c, where a and c have opposite signs and an `a` of 0 counts as positive.
 ///
 /// With s = u / (1 - u) this is c s² + b s + a = 0, whose roots have opposite signs.
-pub fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
+fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
     let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
     let q = -0.5 * (b + root.copysign(b));
     let u = if q == 0.0 {

@@ -5,7 +5,7 @@
 //! sphere's contour is no great circle. By default ([`SegmentLaw::AcrossView`]) the chord is divided into a part along the view
 //! and one across it; the latter is interpolated along the directions that are perpendicular to both the normal and the view,
 //! which are those of the contour in the image, and the depth linearly. On a sphere this follows the contour from every eye. Where
-//! the curve turns by much within one face, as it does at a cusp, the printed recipe takes over little by little.
+//! the curve turns sharply within one face, as it does at a cusp, the printed recipe takes over little by little.
 //!
 //! A side that two faces of one group share has one bridge and one point, found once. On a feature edge the bridge is the
 //! feature segment, and each face finds a point of its own with its own group's normals.
@@ -51,7 +51,9 @@ pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> 
         if direction.dot(across) < 0.0 { -direction } else { direction }
     });
     let squares = directions.map(|direction| direction.dot(across).powi(2) / direction.length_squared());
-    let share = share_in_image((squares[0].min(squares[1]) / across.length_squared()).sqrt());
+    // The minimum of two numbers leaves out one that is none: an end without a direction has no cosine.
+    let least = if squares.iter().any(|square| square.is_nan()) { f64::NAN } else { squares[0].min(squares[1]) };
+    let share = share_in_image((least / across.length_squared()).sqrt());
     let flat = Hermite::along([DVec3::ZERO, across], directions);
     let mut tangents = flat.tangents.map(|tangent| tangent + depth);
     if share < 1.0 {

@@ -15,7 +15,7 @@ pub struct SilhouetteTriangle {
 
 /// The corner of a face that differs from the two others, with its own visibility; `None` if all are alike.
 #[inline]
-pub fn lone_corner(is_visible: [bool; 3]) -> Option<(u32, bool)> {
+fn lone_corner(is_visible: [bool; 3]) -> Option<(u32, bool)> {
     let [a, b, c] = is_visible;
     match (a == b, b == c) {
         (true, true) => None,

@@ -128,7 +128,7 @@ impl Smoothing {
         &self.counts
     }
 
-    /// Steps 2 to 4: silhouette triangles, silhouette points and segments of a view. Yields what was looked at; the results are
+    /// Visibility, silhouette triangles, silhouette points and segments of a view. Yields what was looked at; the results are
     /// read by [`silhouette`](Self::silhouette).
     pub fn find_silhouette(&mut self, eye: Eye) -> ExtractionStats {
         let Fixed { options, mesh, features, .. } = &*self.fixed;
@@ -148,7 +148,7 @@ impl Smoothing {
         &self.silhouette
     }
 
-    /// Step 5, first half: how finely the curves of the view last found are sampled.
+    /// Adaptive sampling: how finely the curves of the view last found are sampled.
     pub fn sample(&mut self, view: &SmoothingView) {
         let Fixed { options, mesh, features, .. } = &*self.fixed;
         self.counts.clear();
@@ -160,7 +160,7 @@ impl Smoothing {
         self.samples.find(mesh, features, &self.silhouette, is_visible, view, options.tolerance_px);
     }
 
-    /// Step 5, second half: replaces `out` by the triangles of the view last sampled.
+    /// Local re-meshing: replaces `out` by the triangles of the view last sampled.
     pub fn local_remeshing(&mut self, out: &mut ViewMesh) {
         let Fixed { mesh, features, .. } = &*self.fixed;
         let curves =

@@ -52,7 +52,7 @@ pub struct VertexVisibility {
 }
 
 impl VertexVisibility {
-    /// Everything is visible yet, as a vertex without a normal always is. O(V).
+    /// At first everything is visible, as a vertex without a normal always is. O(V).
     pub fn new(mesh: &ShadingMesh, cells: Cells) -> Self {
         let bounds = mesh.mesh().bounds();
         let (centre, radius) = bounds.map_or((DVec3::ZERO, 1.0), |bounds| (bounds.center, bounds.radius));

@@ -8,7 +8,7 @@ use silhouette_core::{FaceId, MeshError, Method, TriangleMesh, weld};
 pub struct Origin {
     /// A face that holds it.
     pub face: FaceId,
-    /// Its barycentric coordinates there, corner by corner; their sum is 1.
+    /// Its barycentric coordinates there, corner by corner; their sum is 1, or 0 for a vertex of no face.
     pub weights: [f32; 3],
 }
 
@@ -30,7 +30,7 @@ pub struct ViewMesh {
 
 /// Makes the triangles of one view after another.
 pub trait Remesher: Send {
-    /// Replaces `out` by the triangles of a view, and says whether they may differ from those of the last call. Once `out` and
+    /// Replaces `out`, which has to be empty or as the last call of this remesher left it, by the triangles of a view, and says whether they may differ from those of the last call. Once `out` and
     /// the scratch memory have grown, a call allocates nothing.
     fn remesh(&mut self, view: &crate::SmoothingView, out: &mut ViewMesh) -> bool;
 }
@@ -73,7 +73,7 @@ impl ViewMesh {
     /// The same triangles as a mesh, vertices at the same position merged.
     ///
     /// # Errors
-    /// [`MeshError`] where a position is not finite, which none is that this crate makes of a finite mesh.
+    /// [`MeshError`] where a position is not finite, as of a curve beyond the range of 32 bits.
     pub fn to_mesh(&self) -> Result<TriangleMesh, MeshError> {
         let mesh = TriangleMesh::new(self.positions.clone(), self.triangles.clone())?;
         Ok(weld::weld_exact(&mesh).mesh)

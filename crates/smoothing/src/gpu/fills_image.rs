@@ -88,7 +88,7 @@ impl FillsImage for Smoothing {
                 ImageRenderer::Gpu(Box::new(SmoothingRenderer::new(device, queue, self, pipelines, mesh)?))
             }
             ImagePipelines::Cpu(pipelines) => {
-                let reach = reach(self.shading_mesh().mesh());
+                let reach = reach(self.shading_mesh().mesh()).max(self.features().reach());
                 ImageRenderer::Cpu(Box::new(ViewMeshRenderer::new(device, pipelines, mesh, self.clone(), reach)))
             }
         })

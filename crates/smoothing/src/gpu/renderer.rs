@@ -84,13 +84,14 @@ impl SmoothingRenderer {
             None => None,
         };
         let mesh_at_rest = method.shading_mesh().mesh();
+        let reach = reach(mesh_at_rest).max(method.features().reach());
         let radius = mesh_at_rest.bounds().map_or(0.0, |bounds| bounds.radius);
         Ok(Self {
             pipelines: Arc::clone(pipelines),
             mesh: Arc::clone(mesh),
             bound,
             perturbs: method.options().perturbation != Perturbation::Off,
-            reach: if radius > 0.0 { reach(mesh_at_rest) / radius } else { 0.0 },
+            reach: if radius > 0.0 { reach / radius } else { 0.0 },
             prepared: None,
         })
     }
