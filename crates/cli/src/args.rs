@@ -72,7 +72,7 @@ pub enum Command {
         silhouettes smooth builtin:icosphere:1 --view iso --set tolerance=0.25 -o smooth.obj\n  \
         silhouettes smooth coarse.obj --set crease=40 --ortho fit --view front -o smooth.obj\n\n\
         An OBJ holds the triangles that stand for the mesh in this view, in its own coordinates: positions once each (v), a\n\
-        normal a corner (vn), so that the surface is closed where the mesh is. A PNG is the picture that `render` draws. On\n\
+        normal per corner (vn), so that the surface is closed where the mesh is. A PNG is the picture that `render` draws. On\n\
         stderr: triangles before and after, and of methods with curves also silhouette triangles and curves.")]
     Smooth(SmoothArguments),
     /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline

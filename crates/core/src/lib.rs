@@ -14,6 +14,7 @@
 //! of threads. Nothing here knows about a GPU. Only the feature `simplify` needs a C++ compiler.
 
 pub mod curves;
+pub mod disjoint_sets;
 pub mod displaced;
 mod exact;
 pub mod facing;
@@ -40,6 +41,7 @@ pub mod weld;
 pub use glam;
 
 pub use curves::SilhouetteCurves;
+pub use disjoint_sets::DisjointSets;
 pub use displaced::DisplacedViewer;
 pub use facing::{FaceFacings, Facing, FacingRule};
 pub use facing_memo::FacingMemo;

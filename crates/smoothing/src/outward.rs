@@ -2,30 +2,29 @@
 //! do not always keep to it.
 
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{EdgeId, FaceId, Topology, TriangleMesh};
+use silhouette_core::{DisjointSets, EdgeId, FaceId, Topology, TriangleMesh};
 
 /// For each face whether it belongs to a part that is wound inside out. A part is what consistently wound pairs of faces join;
 /// it is inside out if the volume between it and its centre is negative, which is exact for closed parts and a guess for open
 /// ones. O(F α(F)).
 pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
-    let mut leader: Vec<u32> = (0..mesh.face_count() as u32).collect();
+    let mut sets = DisjointSets::new(mesh.face_count());
     for edge in (0..topology.edge_count()).map(EdgeId::from_usize) {
         if let Some([a, b]) = consistent_pair(mesh, topology, edge) {
-            let [a, b] = [a, b].map(|face| find(&mut leader, face.get()));
-            leader[a.max(b) as usize] = a.min(b);
+            sets.unite(a.get(), b.get());
         }
     }
     let corners = |face: usize| mesh.corners(FaceId::from_usize(face)).map(Vec3::as_dvec3);
     let mut parts = vec![Part::default(); mesh.face_count()];
     for face in 0..mesh.face_count() {
-        let part = find(&mut leader, face as u32) as usize;
+        let part = sets.find(face as u32) as usize;
         let [a, b, c] = corners(face);
         let area = (b - a).cross(c - a).length();
         parts[part].area += area;
         parts[part].moment += area / 3.0 * (a + b + c);
     }
     for face in 0..mesh.face_count() {
-        let part = find(&mut leader, face as u32) as usize;
+        let part = sets.find(face as u32) as usize;
         let centre = parts[part].moment / parts[part].area;
         let [a, b, c] = corners(face).map(|corner| corner - centre);
         let volume = a.cross(b).dot(c);
@@ -33,7 +32,7 @@ pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
             parts[part].volume += volume;
         }
     }
-    (0..mesh.face_count() as u32).map(|face| parts[find(&mut leader, face) as usize].volume < 0.0).collect()
+    (0..mesh.face_count() as u32).map(|face| parts[sets.find(face) as usize].volume < 0.0).collect()
 }
 
 /// The two faces of an edge that joins exactly two, wound alike.
@@ -49,14 +48,6 @@ struct Part {
     area: f64,
     moment: DVec3,
     volume: f64,
-}
-
-fn find(leader: &mut [u32], mut face: u32) -> u32 {
-    while leader[face as usize] != face {
-        leader[face as usize] = leader[leader[face as usize] as usize];
-        face = leader[face as usize];
-    }
-    face
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ pub struct ShadingMesh {
     normals: Vec<Vec3>,
     origins: Vec<Origin>,
     has_feature: Vec<bool>,
+    is_turned: Vec<bool>,
     /// Shading vertices of vertex v: `first[v]..first[v + 1]`.
     first: Vec<u32>,
 }
@@ -61,7 +62,7 @@ impl ShadingMesh {
         groups.vertex.iter().for_each(|&vertex| first[vertex as usize + 1] += 1);
         (0..mesh.vertex_count()).for_each(|vertex| first[vertex + 1] += first[vertex]);
         let positions = groups.vertex.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
-        Ok(Self { mesh, topology, features, groups, positions, normals, origins, has_feature, first })
+        Ok(Self { mesh, topology, features, groups, positions, normals, origins, has_feature, is_turned, first })
     }
 
     /// The mesh itself.
@@ -109,6 +110,11 @@ impl ShadingMesh {
         self.has_feature[face.index()]
     }
 
+    /// Whether each face is wound inside out, so that shading normals take it as turned.
+    pub fn is_turned(&self) -> &[bool] {
+        &self.is_turned
+    }
+
     /// The shading vertices of a vertex.
     ///
     /// # Panics
@@ -126,6 +132,7 @@ impl ShadingMesh {
             + size_of_val(self.normals.as_slice())
             + size_of_val(self.origins.as_slice())
             + self.has_feature.len()
+            + self.is_turned.len()
             + size_of_val(self.first.as_slice())
     }
 }

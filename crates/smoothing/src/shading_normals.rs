@@ -7,8 +7,8 @@
 
 use crate::face_normal::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::id::{FaceId, HalfEdgeId, PerEdge};
-use silhouette_core::{EdgeId, Topology, TriangleMesh};
+use silhouette_core::id::{FaceId, PerEdge};
+use silhouette_core::{DisjointSets, EdgeId, Topology, TriangleMesh};
 
 silhouette_core::option_choice! {
     /// How much each face counts in the normal of a vertex.
@@ -38,8 +38,8 @@ impl Groups {
         for edge in (0..topology.edge_count()).map(EdgeId::from_usize).filter(|&edge| !features[edge]) {
             // Consistently wound: where one half-edge begins, the other ends.
             if let &[a, b] = topology.half_edges(edge) {
-                sets.unite(a, b.next_in_face());
-                sets.unite(b, a.next_in_face());
+                sets.unite(a.get(), b.next_in_face().get());
+                sets.unite(b.get(), a.next_in_face().get());
             }
         }
         let corner_at = |corner: usize| mesh.triangles()[corner / 3][corner % 3];
@@ -62,30 +62,6 @@ impl Groups {
         let of_corner =
             (0..mesh.face_count() as u32).map(|face| [0, 1, 2].map(|slot| group(3 * face + slot))).collect();
         Self { of_corner, vertex: roots.into_iter().map(|(vertex, _)| vertex).collect() }
-    }
-}
-
-/// Union and find over corners; the root of a set is its lowest corner.
-struct DisjointSets(Vec<u32>);
-
-impl DisjointSets {
-    fn new(corners: usize) -> Self {
-        Self((0..corners as u32).collect())
-    }
-
-    fn find(&mut self, corner: u32) -> u32 {
-        let mut at = corner;
-        while self.0[at as usize] != at {
-            let above = self.0[self.0[at as usize] as usize];
-            self.0[at as usize] = above;
-            at = above;
-        }
-        at
-    }
-
-    fn unite(&mut self, a: HalfEdgeId, b: HalfEdgeId) {
-        let (a, b) = (self.find(a.get()), self.find(b.get()));
-        self.0[a.max(b) as usize] = a.min(b);
     }
 }
 

@@ -14,10 +14,10 @@ use silhouette_gpu::{
 use std::sync::Arc;
 
 /// Bytes of a vertex: position in the local frame, then the normal.
-const VERTEX_BYTES: u64 = 24;
+pub(crate) const VERTEX_BYTES: u64 = 24;
 
 /// Bytes of a triangle.
-const TRIANGLE_BYTES: u64 = 12;
+pub(crate) const TRIANGLE_BYTES: u64 = 12;
 
 const VERTEX_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: VERTEX_BYTES,

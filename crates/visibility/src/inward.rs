@@ -2,7 +2,7 @@
 
 use crate::unpaired::UnpairedEdges;
 use silhouette_core::glam::DVec3;
-use silhouette_core::{EdgeId, FaceId, Topology, TriangleMesh};
+use silhouette_core::{DisjointSets, EdgeId, FaceId, Topology, TriangleMesh};
 
 /// Which faces belong to a closed, consistently wound surface that encloses a negative volume.
 pub struct InwardSolids {
@@ -13,18 +13,16 @@ pub struct InwardSolids {
 impl InwardSolids {
     /// Finds them. O(F + E), in one thread, so that sums have one order.
     pub fn new(mesh: &TriangleMesh, topology: &Topology, unpaired: &UnpairedEdges) -> Self {
-        let mut component_of: Vec<u32> = (0..mesh.face_count() as u32).collect();
+        let mut sets = DisjointSets::new(mesh.face_count());
         let mut unpaired_edges = unpaired.as_slice().iter().peekable();
         let is_paired = |edge: EdgeId| unpaired_edges.next_if(|&&unpaired| unpaired == edge).is_none();
         let edges: Vec<EdgeId> = topology.edges().ids().collect();
         let paired: Vec<bool> = edges.iter().copied().map(is_paired).collect();
         for (&edge, _) in edges.iter().zip(&paired).filter(|(_, paired)| **paired) {
-            let [one, other] = [0, 1].map(|at| find(&mut component_of, topology.half_edges(edge)[at].face().get()));
-            component_of[one.max(other) as usize] = one.min(other);
+            let [one, other] = [0, 1].map(|at| topology.half_edges(edge)[at].face().get());
+            sets.unite(one, other);
         }
-        for face in 0..mesh.face_count() as u32 {
-            component_of[face as usize] = find(&mut component_of, face);
-        }
+        let component_of: Vec<u32> = (0..mesh.face_count() as u32).map(|face| sets.find(face)).collect();
         let mut is_closed = vec![true; mesh.face_count()];
         for (&edge, _) in edges.iter().zip(&paired).filter(|(_, paired)| !**paired) {
             topology.faces(edge).for_each(|face| is_closed[component_of[face.index()] as usize] = false);
@@ -46,15 +44,6 @@ impl InwardSolids {
     pub fn contains(&self, face: FaceId) -> bool {
         self.is_inward[self.component_of[face.index()] as usize]
     }
-}
-
-/// The lowest face known to be connected with a face.
-fn find(leader: &mut [u32], mut face: u32) -> u32 {
-    while leader[face as usize] != face {
-        leader[face as usize] = leader[leader[face as usize] as usize];
-        face = leader[face as usize];
-    }
-    face
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The fans of faces around each vertex: a surface is a manifold at a vertex with one fan, pinched at one with more.
 
 use super::Sides;
-use super::patches::{find as leader_of, union};
+use crate::disjoint_sets::DisjointSets;
 use crate::id::{EdgeId, FaceId, HalfEdgeId, PerVertex, VertexId};
 use rayon::prelude::*;
 
@@ -70,7 +70,7 @@ impl Corners {
 struct Scratch {
     /// The two edges of each corner with the corner's rank.
     spokes: Vec<(EdgeId, u32)>,
-    leader: Vec<u32>,
+    sets: DisjointSets,
     fans: Vec<FaceId>,
 }
 
@@ -87,20 +87,19 @@ impl Scratch {
             }
         }
         self.spokes.sort_unstable();
-        self.leader.clear();
-        self.leader.extend(0..corners.len() as u32);
+        self.sets.reset(corners.len());
         for pair in self.spokes.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            union(&mut self.leader, pair[0].1, pair[1].1);
+            self.sets.unite(pair[0].1, pair[1].1);
         }
         // A face that names the vertex twice has two corners here, but is in one fan.
         for rank in 1..corners.len() {
             if corners[rank].face() == corners[rank - 1].face() {
-                union(&mut self.leader, rank as u32 - 1, rank as u32);
+                self.sets.unite(rank as u32 - 1, rank as u32);
             }
         }
         self.fans.clear();
         for (rank, corner) in corners.iter().enumerate() {
-            if leader_of(&mut self.leader, rank as u32) == rank as u32 {
+            if self.sets.find(rank as u32) == rank as u32 {
                 self.fans.push(corner.face());
             }
         }

@@ -1,6 +1,7 @@
 //! Patches and components by flood fill, and whether each can be oriented.
 
 use super::Sides;
+use crate::disjoint_sets::DisjointSets;
 use crate::id::{FaceId, HalfEdgeId, PerFace};
 use crate::topology::Twin;
 
@@ -57,22 +58,22 @@ fn neighbors(sides: Sides, face: FaceId) -> impl Iterator<Item = (FaceId, bool)>
     })
 }
 
-/// Joins patches that share a non-manifold edge (union-find in which the lowest patch leads) and numbers the components.
+/// Joins patches that share a non-manifold edge and numbers the components.
 fn join(sides: Sides, patch_of: &PerFace<u32>, patch_is_orientable: &[bool]) -> Patches {
-    let mut leader: Vec<u32> = (0..patch_is_orientable.len() as u32).collect();
+    let mut sets = DisjointSets::new(patch_is_orientable.len());
     for edge in sides.topology.edges().ids() {
         if sides.topology.half_edges(edge).len() > 2 && !sides.is_collapsed(edge) {
             let mut faces = sides.topology.faces(edge);
             let first = faces.next().map(|face| patch_of[face]);
             for patch in faces.map(|face| patch_of[face]) {
-                union(&mut leader, first.unwrap_or(patch), patch);
+                sets.unite(first.unwrap_or(patch), patch);
             }
         }
     }
     let mut is_orientable: Vec<bool> = Vec::new();
-    let mut component_of_patch = vec![0; leader.len()];
-    for patch in 0..leader.len() as u32 {
-        let leading = find(&mut leader, patch);
+    let mut component_of_patch = vec![0; patch_is_orientable.len()];
+    for patch in 0..patch_is_orientable.len() as u32 {
+        let leading = sets.find(patch);
         if leading == patch {
             component_of_patch[patch as usize] = is_orientable.len() as u32;
             is_orientable.push(true);
@@ -83,20 +84,4 @@ fn join(sides: Sides, patch_of: &PerFace<u32>, patch_is_orientable: &[bool]) -> 
     }
     let component_of = patch_of.iter().map(|(_, &patch)| component_of_patch[patch as usize]).collect::<Vec<_>>();
     Patches { component_of: component_of.into(), is_orientable }
-}
-
-/// The representative of `element`'s set; halves the paths that it walks.
-pub(super) fn find(leader: &mut [u32], mut element: u32) -> u32 {
-    while leader[element as usize] != element {
-        let above = leader[leader[element as usize] as usize];
-        leader[element as usize] = above;
-        element = above;
-    }
-    element
-}
-
-/// Joins two sets; the lower representative leads. Amortised O(log n).
-pub(super) fn union(leader: &mut [u32], a: u32, b: u32) {
-    let (a, b) = (find(leader, a), find(leader, b));
-    leader[a.max(b) as usize] = a.min(b);
 }

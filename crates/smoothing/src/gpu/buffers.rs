@@ -6,16 +6,11 @@ use crate::gpu::room::{Room, vertex_count};
 use crate::gpu::settings::SmoothingUniform;
 use crate::gpu::tables::Tables;
 use crate::smoothing::Smoothing;
+use crate::view_mesh_renderer::{TRIANGLE_BYTES, VERTEX_BYTES};
 use silhouette_core::glam::Vec3;
 use silhouette_gpu::kit::{buffers_group, storage_buffer};
 use silhouette_gpu::{LocalFrame, MeshTooLarge};
 use wgpu::BufferUsages;
-
-/// Bytes of a vertex: position in the local frame, then the normal.
-const VERTEX_BYTES: u64 = 24;
-
-/// Bytes of a triangle.
-const TRIANGLE_BYTES: u64 = 12;
 
 /// Bytes of a feature edge's curve: two cubics of four `vec4<f32>`.
 const CURVE_BYTES: u64 = 128;

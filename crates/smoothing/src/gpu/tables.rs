@@ -1,6 +1,5 @@
 //! [`Tables`]: what the stages know of a mesh's connectivity. Twin: `shaders/smoothing/frame.wgsl`.
 
-use crate::outward::inside_out_faces;
 use crate::perturbation::vertex_neighbours;
 use crate::shading_mesh::ShadingMesh;
 use crate::smoothing::Smoothing;
@@ -162,8 +161,8 @@ impl Corners {
 /// Whether each shading vertex belongs to faces that are wound inside out, which all of its faces are or none.
 fn turned_groups(mesh: &ShadingMesh) -> Vec<u32> {
     let mut turned = vec![0; mesh.vertices().len()];
-    for (corners, is_turned) in mesh.triangles().iter().zip(inside_out_faces(mesh.mesh(), mesh.topology())) {
-        corners.iter().for_each(|&group| turned[group as usize] = u32::from(is_turned));
+    for (corners, is_turned) in mesh.triangles().iter().zip(mesh.is_turned()) {
+        corners.iter().for_each(|&group| turned[group as usize] = u32::from(*is_turned));
     }
     turned
 }
