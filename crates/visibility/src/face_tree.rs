@@ -11,7 +11,6 @@
 //! `8 x 2^-23`; a slab's parameter comes from a difference and a product, each within `2^-24`, so that its plane appears
 //! moved by at most `3 x 2^-24 x 8`. In all below `54 x 2^-24`, a third of the growth.
 
-use crate::bvh::{Boxed, build};
 use crate::candidate::Candidate;
 use crate::fan::Fan;
 use obvhs::aabb::Aabb;
@@ -21,6 +20,7 @@ use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3, Vec3A};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
+use silhouette_rays::hierarchy::{Boxed, build};
 use std::ops::Range;
 
 /// By how much boxes are grown on every side, in units of half the scene's largest extent. See the [module](self).

@@ -4,12 +4,12 @@
 //! them. Seen from the apex, each face is an arc: that of its opposite edge. And so is the segment, so that the faces that it
 //! may meet are those whose arcs its own arc may meet. Boxes are around arcs on the unit sphere.
 
-use crate::bvh::{Boxed, build};
 use crate::candidate::Candidate;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use silhouette_core::glam::{DVec3, Vec3A};
 use silhouette_core::{FaceId, TriangleMesh};
+use silhouette_rays::hierarchy::{Boxed, build};
 
 /// By how much boxes are grown on every side, beyond the height of the arc over its chord. A direction of length 1 is rounded
 /// to within `2^-24` on each axis, and computed to within far less.

@@ -78,7 +78,6 @@
 //!    exactly edge-on, its near rim is drawn whatever the displaced viewer sees of the wall.
 
 mod around_vertex;
-mod bvh;
 mod cache;
 mod candidate;
 mod chains;

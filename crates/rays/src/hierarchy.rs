@@ -12,7 +12,10 @@ use std::time::Duration;
 
 /// A box as `obvhs` takes it.
 #[derive(Debug, Clone, Copy)]
-pub struct Boxed(pub Aabb);
+pub struct Boxed(
+    /// The box.
+    pub Aabb,
+);
 
 impl Boundable for Boxed {
     fn aabb(&self) -> Aabb {
