@@ -45,16 +45,25 @@ pub struct ArtefactReport {
 pub struct PreparedMesh {
     mesh: Arc<TriangleMesh>,
     feature_edges: Arc<[[VertexId; 2]]>,
+    given: Vec<(TypeId, Shared)>,
     slots: Mutex<HashMap<TypeId, Arc<Slot>>>,
     reports: Mutex<Vec<ArtefactReport>>,
 }
 
-type Slot = Mutex<Option<Arc<dyn Any + Send + Sync>>>;
+type Shared = Arc<dyn Any + Send + Sync>;
+
+type Slot = Mutex<Option<Shared>>;
 
 impl PreparedMesh {
     /// Takes the mesh; derives nothing.
     pub fn new(mesh: impl Into<Arc<TriangleMesh>>) -> Self {
-        Self { mesh: mesh.into(), feature_edges: Arc::default(), slots: Mutex::default(), reports: Mutex::default() }
+        Self {
+            mesh: mesh.into(),
+            feature_edges: Arc::default(),
+            given: Vec::new(),
+            slots: Mutex::default(),
+            reports: Mutex::default(),
+        }
     }
 
     /// The same mesh with other [`feature_edges`](Self::feature_edges), to be called before artefacts are asked for.
@@ -63,11 +72,25 @@ impl PreparedMesh {
         Self { feature_edges: edges.into(), ..self }
     }
 
-    /// The same mesh with the same feature edges, of which nothing has been derived yet: for measuring what preparation
-    /// costs.
+    /// The same mesh with an artefact that the caller has, read from a file for example: it is not built, and not reported. To
+    /// be called before artefacts are asked for.
+    #[must_use]
+    pub fn with_artefact<A: Artefact>(mut self, artefact: A) -> Self {
+        self.given.push((TypeId::of::<A>(), Arc::new(artefact)));
+        self.fresh()
+    }
+
+    /// The same mesh with the same feature edges and the artefacts that [were given](Self::with_artefact), of which nothing has
+    /// been derived yet: for measuring what preparation costs.
     #[must_use]
     pub fn fresh(&self) -> Self {
-        Self { feature_edges: Arc::clone(&self.feature_edges), ..Self::new(Arc::clone(&self.mesh)) }
+        let slot = |(id, shared): &(TypeId, Shared)| (*id, Arc::new(Mutex::new(Some(Arc::clone(shared)))));
+        Self {
+            feature_edges: Arc::clone(&self.feature_edges),
+            slots: Mutex::new(self.given.iter().map(slot).collect()),
+            given: self.given.clone(),
+            ..Self::new(Arc::clone(&self.mesh))
+        }
     }
 
     /// The mesh itself.
@@ -100,7 +123,7 @@ impl PreparedMesh {
             let built = A::build(self, progress)?;
             let (bytes, build_time) = (built.bytes(), start.elapsed());
             lock(&self.reports).push(ArtefactReport { name: A::NAME, bytes, build_time, asked_by: BTreeSet::new() });
-            let shared: Arc<dyn Any + Send + Sync> = Arc::new(built);
+            let shared: Shared = Arc::new(built);
             *value = Some(Arc::clone(&shared));
             shared
         };
@@ -191,6 +214,15 @@ mod tests {
         assert_eq!(report.len(), 1);
         assert_eq!((report[0].name, report[0].bytes), ("face-total", 8));
         assert_eq!(report[0].asked_by, BTreeSet::from(["one", "two", "three"]));
+    }
+
+    #[test]
+    fn an_artefact_that_was_given_is_not_built() {
+        let mesh = TriangleMesh::new(vec![], vec![]).unwrap();
+        let prepared = PreparedMesh::new(mesh).with_artefact(FaceTotal(7));
+        assert_eq!(prepared.artefact::<FaceTotal>("test", &CancelAlways).unwrap().0, 7);
+        assert!(prepared.report().is_empty());
+        assert_eq!(prepared.fresh().artefact::<FaceTotal>("test", &CancelAlways).unwrap().0, 7);
     }
 
     #[test]
