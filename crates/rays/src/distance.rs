@@ -29,7 +29,7 @@ impl MeshHierarchy {
     pub fn nearest(&self, point: DVec3, within: f64) -> Option<Nearest> {
         let mut best: Option<Nearest> = None;
         let mut reach = within * within;
-        self.from_near_to_far(point, reach, |corners, face| {
+        self.visit_near_first(point, reach, |corners, face| {
             let place = nearest_on_face(corners, point);
             let squared = place.distance_squared(point);
             if squared < reach || squared <= reach && best.is_some_and(|best| face < best.face) {
@@ -45,7 +45,7 @@ impl MeshHierarchy {
     pub fn is_within(&self, point: DVec3, distance: f64) -> bool {
         let reach = distance * distance;
         let mut is_within = false;
-        self.from_near_to_far(point, reach, |corners, _| {
+        self.visit_near_first(point, reach, |corners, _| {
             is_within |= nearest_on_face(corners, point).distance_squared(point) < reach;
             if is_within { NOTHING } else { reach }
         });
@@ -53,7 +53,7 @@ impl MeshHierarchy {
     }
 
     /// Visits faces whose boxes come within a distance, of which `visit` yields the square that counts from then on.
-    fn from_near_to_far(&self, point: DVec3, mut reach: f64, mut visit: impl FnMut([Vec3; 3], FaceId) -> f64) {
+    fn visit_near_first(&self, point: DVec3, mut reach: f64, mut visit: impl FnMut([Vec3; 3], FaceId) -> f64) {
         let nodes = &self.bvh.nodes;
         let mut waiting = Vec::with_capacity(64);
         waiting.extend(nodes.first().map(|root| (distance_squared(&root.aabb, point), 0_u32)));
