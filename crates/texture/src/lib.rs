@@ -5,6 +5,7 @@
 pub mod frame;
 pub mod hull;
 pub mod silhouette_texture;
+pub mod siltex;
 pub mod volume_size;
 
 pub use frame::Frame;
