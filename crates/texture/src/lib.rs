@@ -2,6 +2,7 @@
 //!
 //! H. Wu, L.-Y. Wei, X. Wang and B. Guo, "Silhouette Texture", Eurographics Symposium on Rendering 2006.
 
+pub mod compression;
 pub mod frame;
 pub mod hull;
 pub mod silhouette_texture;

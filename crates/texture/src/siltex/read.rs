@@ -233,10 +233,8 @@ impl<R: Read + Seek> Sections<R> {
     }
 
     fn metadata(&mut self) -> Result<Metadata, SiltexError> {
-        if !self.entries.contains_key(&SectionType::METADATA) {
-            return Ok(Metadata::new());
-        }
-        let bytes = self.section(SectionType::METADATA, |section| section.rest())?;
-        metadata::decode(&bytes).map_err(|problem| Place::Section(SectionType::METADATA).error(problem))
+        let kind = SectionType::METADATA;
+        let Some(&Entry { length, .. }) = self.entries.get(&kind) else { return Ok(Metadata::new()) };
+        metadata::decode(&self.values(kind, length)?).map_err(|problem| Place::Section(kind).error(problem))
     }
 }

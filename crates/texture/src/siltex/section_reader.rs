@@ -50,11 +50,6 @@ impl<'a, R: Read + Seek> SectionReader<'a, R> {
         Ok(values)
     }
 
-    /// All bytes that are left.
-    pub(super) fn rest(&mut self) -> Result<Vec<u8>, Problem> {
-        self.values(self.left)
-    }
-
     /// Checks that nothing is left, and the checksum.
     pub(super) fn finish(mut self) -> Result<(), Problem> {
         debug_assert_eq!(self.left, 0, "sections are as long as their values");
