@@ -225,8 +225,9 @@ pub(super) fn quote(bytes: &[u8]) -> String {
     if bytes.len() > EXCERPT { format!("{shown:?}...") } else { format!("{shown:?}") }
 }
 
-/// A path whose control characters are escaped, so that a message stays one line.
-struct OneLine<'a>(&'a Path);
+/// A path for a message: its control characters are escaped, so that the message stays one line.
+#[derive(Debug, Clone, Copy)]
+pub struct OneLine<'a>(pub &'a Path);
 
 impl fmt::Display for OneLine<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -48,7 +48,7 @@ mod steps;
 mod stl;
 
 pub use assembly::LabelledMesh;
-pub use error::{LoadError, Place, Problem};
+pub use error::{LoadError, OneLine, Place, Problem};
 pub use format::Format;
 #[cfg(feature = "tobj")]
 pub use from_tobj::FromTobjError;
