@@ -15,8 +15,10 @@ fn outline_distance(in: HullVertex) -> f32 {
         return inside / max(length(vec2<f32>(dpdx(inside), dpdy(inside))), 1e-20);
     }
     if WIDTH_LAW == BY_GAP {
+        // The outline lies beyond the hull, where a pixel is larger.
         let gap = textureSampleLevel(gaps, linear, in.place, 0.0).x * hull.gap_unit;
-        return inside * gap / (hull.pixel_per_w * w);
+        let outline_w = w + gap * (camera.to_clip * vec4<f32>(view_direction(in), 0.0)).w;
+        return inside * gap / (hull.pixel_per_w * outline_w);
     }
     return inside / (hull.allowance_per_w * w);
 }

@@ -173,7 +173,7 @@ impl TextureVolume {
 }
 
 /// `Err` where a page exceeds the device's textures.
-fn check_sides(limits: &wgpu::Limits, texture: &SilhouetteTexture) -> Result<(), RendererError> {
+pub(super) fn check_sides(limits: &wgpu::Limits, texture: &SilhouetteTexture) -> Result<(), RendererError> {
     let parts = texture.parts();
     let size = parts.size;
     let side = size.width.max(size.height);

@@ -1,5 +1,7 @@
+mod lines;
 mod outline;
 mod scene;
+mod styles;
 mod twin;
 
 use super::{Drawing, Lookup, Shading, TexturePipelines, TextureRenderer, TextureStyle, TextureVolume};
