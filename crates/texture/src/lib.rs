@@ -2,16 +2,34 @@
 //!
 //! H. Wu, L.-Y. Wei, X. Wang and B. Guo, "Silhouette Texture", Eurographics Symposium on Rendering 2006.
 
+pub mod atlas;
+pub mod bake;
+pub mod border_search;
 pub mod carving;
+pub mod centers;
+pub mod checkpoint;
+pub mod correspondence;
+mod directions;
+mod fingerprint;
 pub mod frame;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod hull;
+pub mod lobe;
+pub mod lookup;
+pub mod sampling_error;
 pub mod silhouette_texture;
+pub mod tangents;
+pub mod tile;
+mod tile_bytes;
+pub mod visibility_function;
 pub mod volume_size;
 
+pub use bake::{AngleFormat, Bake, BakeError, BakeOptions, BakeReport, CenterRule};
 pub use carving::{AzimuthShift, HullPoint};
 pub use frame::Frame;
 pub use hull::Hull;
+pub use lobe::LobeRule;
 pub use silhouette_texture::{Angles, FacePlace, Parts, SilhouetteTexture, Terms, VisibilityRule};
+pub use visibility_function::VisibilityFunction;
 pub use volume_size::VolumeSize;

@@ -1,0 +1,3 @@
+//! What is baked, against closed forms and brute force.
+
+mod closed_forms;
