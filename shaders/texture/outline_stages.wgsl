@@ -7,6 +7,9 @@ const BY_GRADIENT: u32 = 0u;
 const BY_GAP: u32 = 1u;
 override WIDTH_LAW: u32 = BY_GRADIENT;
 
+// Beyond any line.
+const FAR_PX: f32 = 1e6;
+
 // Signed distance from the outline in pixels, above 0 inside; as printed, in the unit of `half_width`.
 fn outline_distance(in: HullVertex) -> f32 {
     let inside = margin(in);
@@ -18,7 +21,8 @@ fn outline_distance(in: HullVertex) -> f32 {
         // The outline lies beyond the hull, where a pixel is larger.
         let gap = textureSampleLevel(gaps, linear, in.place, 0.0).x * hull.gap_unit;
         let outline_w = w + gap * (camera.to_clip * vec4<f32>(view_direction(in), 0.0)).w;
-        return inside * gap / (hull.pixel_per_w * outline_w);
+        // Without a gap there is no outline to be seen from here.
+        return select(sign(inside) * FAR_PX, inside * gap / (hull.pixel_per_w * outline_w), gap > 0.0 && inside > -3.0);
     }
     return inside / (hull.allowance_per_w * w);
 }

@@ -5,7 +5,6 @@
 pub mod atlas;
 pub mod bake;
 pub mod border_search;
-pub mod carving;
 pub mod centers;
 pub mod checkpoint;
 pub mod correspondence;
@@ -26,7 +25,6 @@ pub mod visibility_function;
 pub mod volume_size;
 
 pub use bake::{AngleFormat, Bake, BakeError, BakeOptions, BakeReport, CenterRule};
-pub use carving::{AzimuthShift, HullPoint};
 pub use frame::Frame;
 pub use hull::Hull;
 pub use lobe::LobeRule;

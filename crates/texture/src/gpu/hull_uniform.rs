@@ -2,6 +2,7 @@
 
 use super::style::{Drawing, OutlineWidth, TextureStyle};
 use super::volume::TextureVolume;
+use crate::lookup::AzimuthRule;
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3};
 use silhouette_core::glam;
@@ -55,7 +56,11 @@ impl HullUniform {
             ink: straight(ink),
             paper: straight(paper),
             normal_to_shape: normal_matrix(frame.shape(view)),
-            azimuth_shift: style.azimuth_shift.turns(volume.azimuths()),
+            // The middle of the first texel, or its outer corner.
+            azimuth_shift: match style.azimuths {
+                AzimuthRule::Aligned => 0.5 / volume.azimuths() as f32,
+                AzimuthRule::AsPrinted => 0.0,
+            },
             half_width: half_width as f32,
             pixel_per_w: (2.0 / (f64::from(view.viewport().size_px[1]) * up)) as f32,
             allowance_per_w: (sigma * depth_per_w / radius) as f32,
@@ -82,7 +87,7 @@ fn normal_matrix(shape: DMat3) -> [[f32; 4]; 3] {
 mod tests {
     use super::*;
     use silhouette_shaders::layout;
-    use silhouette_shaders::texture::{CARVING, CARVING_TERMS};
+    use silhouette_shaders::texture::{LOOKUP, LOOKUP_TERMS};
     use std::mem::offset_of;
 
     #[test]
@@ -98,7 +103,7 @@ mod tests {
             ("allowance_per_w", offset_of!(HullUniform, allowance_per_w)),
             ("gap_unit", offset_of!(HullUniform, gap_unit)),
         ];
-        for stage in [CARVING, CARVING_TERMS] {
+        for stage in [LOOKUP, LOOKUP_TERMS] {
             assert!(layout::matches(stage, "HullUniform", size_of::<HullUniform>(), &members));
         }
     }

@@ -1,6 +1,6 @@
 //! Draws a [`SilhouetteTexture`](crate::SilhouetteTexture) through the convention of [`silhouette_gpu`].
 //!
-//! 1. A [`TextureVolume`] holds the hull and all that was baked on it on a device ([`Lookup`]: in which form). It is shared by all
+//! 1. A [`TextureVolume`] holds the hull and all that was baked on it on a device ([`Filtering`]: in which form). It is shared by all
 //!    instances.
 //! 2. [`TexturePipelines`] draw volumes of one [`VolumeForm`] as a [`TextureStyle`] says: the [surface](Drawing::Surface), the
 //!    [outlines](Drawing::Outlines) (equation 5), or for comparison the [whole hull](Drawing::Hull).
@@ -29,4 +29,4 @@ mod tests;
 pub use pipelines::TexturePipelines;
 pub use renderer::{FormMismatch, TextureRenderer};
 pub use style::{Drawing, Edge, OutlineStyle, OutlineWidth, Shading, TextureStyle};
-pub use volume::{Lookup, TextureVolume, VolumeForm};
+pub use volume::{Filtering, TextureVolume, VolumeForm};

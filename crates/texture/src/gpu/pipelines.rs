@@ -1,12 +1,12 @@
 //! [`TexturePipelines`]: the pipelines of a style, for all volumes of a form. Stages: `shaders/texture/surface_stages.wgsl` and
-//! `outline_stages.wgsl`, which `carving.wgsl` and `carving.terms.wgsl` import.
+//! `outline_stages.wgsl`, which `lookup.wgsl` and `lookup.terms.wgsl` import.
 
 use super::style::{Drawing, Edge, OutlineStyle, OutlineWidth, Shading, TextureStyle};
 use super::texture_vertices::TextureVertex;
 use super::volume::VolumeForm;
 use silhouette_gpu::kit::{RenderStage, WoundPipeline, bind_layout, uniform_entry};
 use silhouette_gpu::{CameraBinding, FillPipelines, Interior, TargetFormats};
-use silhouette_shaders::texture::{CARVING, CARVING_TERMS};
+use silhouette_shaders::texture::{LOOKUP, LOOKUP_TERMS};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -96,7 +96,7 @@ fn wound(
     form: VolumeForm,
     stage: Stage,
 ) -> WoundPipeline {
-    let text = if form.has_terms { CARVING_TERMS } else { CARVING };
+    let text = if form.has_terms { LOOKUP_TERMS } else { LOOKUP };
     let (shading, width_law, wgsl) = match &style.drawing {
         Drawing::Surface(shading) | Drawing::Hull(shading) => {
             let (number, wgsl) = match shading {

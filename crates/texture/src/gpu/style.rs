@@ -1,6 +1,6 @@
 //! [`TextureStyle`]: what is drawn of a silhouette texture, and how.
 
-use crate::carving::AzimuthShift;
+use crate::lookup::AzimuthRule;
 use silhouette_gpu::{Color, Cull, FillStyle, Interior, Shade};
 use std::borrow::Cow;
 
@@ -24,7 +24,7 @@ pub enum Shading {
     Flat(Color),
     /// The baked normal in the object's own space: -1 to 1 as 0 to 1.
     Normals,
-    /// The caller's own fragment stage: WGSL that is appended to `shaders/texture/carving.wgsl` (or `carving.terms.wgsl`) with all
+    /// The caller's own fragment stage: WGSL that is appended to `shaders/texture/lookup.wgsl` (or `lookup.terms.wgsl`) with all
     /// that it imports, and that declares the entry point `custom`:
     ///
     /// ```wgsl
@@ -94,7 +94,7 @@ pub struct TextureStyle {
     /// How edges are cut.
     pub edge: Edge,
     /// Where azimuths are looked up.
-    pub azimuth_shift: AzimuthShift,
+    pub azimuths: AzimuthRule,
     /// How the fine mesh is drawn where the near plane meets the hull.
     pub near: FillStyle,
 }
@@ -109,6 +109,6 @@ impl TextureStyle {
             Drawing::Outlines(_) => Shade::DepthOnly,
         };
         let near = FillStyle { shade, cull: Cull::None };
-        Self { drawing, edge: Edge::default(), azimuth_shift: AzimuthShift::default(), near }
+        Self { drawing, edge: Edge::default(), azimuths: AzimuthRule::default(), near }
     }
 }

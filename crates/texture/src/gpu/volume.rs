@@ -1,4 +1,4 @@
-//! [`TextureVolume`]: a silhouette texture on a device. Stages: `shaders/texture/carving.wgsl` and `carving.terms.wgsl`.
+//! [`TextureVolume`]: a silhouette texture on a device. Stages: `shaders/texture/lookup.wgsl` and `lookup.terms.wgsl`.
 
 use super::texture_vertices::TextureVertices;
 use crate::silhouette_texture::{Angles, SilhouetteTexture, Terms};
@@ -14,7 +14,7 @@ silhouette_core::option_choice! {
     ///
     /// Adapters need no more than 8 bits to filter 8-bit formats; Mesa's software adapter takes 8 and is off by up to 1.84 of 255
     /// steps, 1.3 degrees, where it blends all three coordinates.
-    pub enum Lookup {
+    pub enum Filtering {
         /// As stored, filtered by the hardware.
         Native = "native",
         /// As 16-bit floats, filtered by the hardware: exact to a tenth of a step of 8 bits, for twice the memory.
@@ -34,10 +34,10 @@ pub struct VolumeForm {
 
 impl VolumeForm {
     /// The form that a texture takes.
-    pub fn new(texture: &SilhouetteTexture, lookup: Lookup) -> Self {
+    pub fn new(texture: &SilhouetteTexture, filtering: Filtering) -> Self {
         Self {
             has_terms: matches!(texture.parts().angles, Angles::Terms(_)),
-            is_filtered: lookup != Lookup::Manual,
+            is_filtered: filtering != Filtering::Manual,
             has_texel_centers: texture.parts().texel_centers.is_some(),
         }
     }
@@ -91,7 +91,7 @@ pub struct TextureVolume {
 
 impl TextureVolume {
     /// Uploads a texture: each page as a 3-D texture, or its weights as an array of textures with four terms per layer. O(samples).
-    /// Each page is copied once more on the way; with [`Lookup::Float16`], or of terms, twice.
+    /// Each page is copied once more on the way; with [`Filtering::Float16`], or of terms, twice.
     ///
     /// # Errors
     /// [`RendererError::TextureTooLarge`] where a page exceeds the device's textures, [`RendererError::MeshTooLarge`] where the hull
@@ -100,16 +100,16 @@ impl TextureVolume {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         texture: &SilhouetteTexture,
-        lookup: Lookup,
+        filtering: Filtering,
     ) -> Result<Self, RendererError> {
         check_sides(&device.limits(), texture)?;
-        let form = VolumeForm::new(texture, lookup);
+        let form = VolumeForm::new(texture, filtering);
         let parts = texture.parts();
         let bounds = parts.hull.mesh().bounds();
         let frame = LocalFrame::new(bounds.as_ref());
         let vertices = TextureVertices::new(texture, &frame);
         let buffers = vertices.upload(device, queue)?;
-        let mut upload = Upload { device, queue, texture, lookup, bytes: 0 };
+        let mut upload = Upload { device, queue, texture, filtering, bytes: 0 };
         let layout = form.layout(device);
         let pages =
             vertices.pages.iter().map(|(page, range)| (upload.page(&layout, *page as usize), range.clone())).collect();
@@ -206,7 +206,7 @@ struct Upload<'a> {
     device: &'a wgpu::Device,
     queue: &'a wgpu::Queue,
     texture: &'a SilhouetteTexture,
-    lookup: Lookup,
+    filtering: Filtering,
     bytes: u64,
 }
 
@@ -264,7 +264,7 @@ impl Upload<'_> {
     ) -> wgpu::TextureView {
         let size = self.texture.parts().size;
         let size = [size.width, size.height, size.azimuths];
-        if self.lookup == Lookup::Float16 {
+        if self.filtering == Filtering::Float16 {
             let values: Vec<f16> = values.iter().map(float).collect();
             self.texels(TextureViewDimension::D3, size, TextureFormat::R16Float, &values)
         } else {
@@ -285,7 +285,7 @@ impl Upload<'_> {
             layer.iter_mut().zip(of_term).for_each(|(texel, &weight)| texel[term % 4] = weight);
         }
         let size = [size.width, size.height, layers as u32];
-        if self.lookup == Lookup::Float16 {
+        if self.filtering == Filtering::Float16 {
             let weights: Vec<_> =
                 weights.iter().map(|texel| texel.map(|weight| f16::from_f32(f32::from(weight) / 255.0))).collect();
             self.texels(TextureViewDimension::D2Array, size, TextureFormat::Rgba16Float, &weights)

@@ -2,7 +2,7 @@
 
 use super::scene::{Ball, PLAIN, Scene, Shot};
 use super::{renderer, volume};
-use crate::gpu::{Drawing, Edge, Lookup, OutlineStyle, OutlineWidth, TextureStyle};
+use crate::gpu::{Drawing, Edge, Filtering, OutlineStyle, OutlineWidth, TextureStyle};
 use silhouette_core::glam::Vec3;
 use silhouette_gpu::{Color, Interior, Viewport};
 use silhouette_render::{Gpu, Image};
@@ -54,7 +54,7 @@ fn widths(picture: &Image, shot: &Shot, ball: &Ball) -> [f64; 3] {
 
 fn measured(gpu: &Gpu, shot: &Shot, gap: f32, level: u32, width: OutlineWidth) -> [f64; 3] {
     let scene = within(gap, level).seen_by(shot);
-    let volume = volume(gpu, &scene.texture(), Lookup::Float16);
+    let volume = volume(gpu, &scene.texture(), Filtering::Float16);
     let style = TextureStyle { edge: Edge::Coverage, ..outlines(width, Interior::DepthOnly) };
     let shot = Shot { samples: 4, ..*shot };
     let picture = shot.draw(gpu, &mut [&mut renderer(gpu, shot.formats(), style, &volume)]);
@@ -94,7 +94,7 @@ fn nearer_paper_hides_lines_whatever_the_interior() {
     let translucent = Color { alpha: 0.5, ..Color::WHITE };
     let inks = [Interior::Paper(Color::WHITE), Interior::Paper(translucent), Interior::DepthOnly].map(|interior| {
         let pictures = [false, true].map(|reversed| {
-            let volume = volume(gpu, &Scene::many(&balls, 0.5, reversed).texture(), Lookup::Float16);
+            let volume = volume(gpu, &Scene::many(&balls, 0.5, reversed).texture(), Filtering::Float16);
             let mut lines = renderer(gpu, PLAIN.formats(), outlines(width, interior), &volume);
             PLAIN.draw(gpu, &mut [&mut lines])
         });
@@ -105,7 +105,7 @@ fn nearer_paper_hides_lines_whatever_the_interior() {
     assert!(inks[0] == inks[1] && inks[0] == inks[2]);
     let count = inks[0].iter().filter(|&&is_ink| is_ink).count();
     // Over a surface that is drawn before, the same lines without an interior of their own.
-    let volume = volume(gpu, &Scene::many(&balls, 0.5, false).texture(), Lookup::Float16);
+    let volume = volume(gpu, &Scene::many(&balls, 0.5, false).texture(), Filtering::Float16);
     let mut surface = renderer(gpu, PLAIN.formats(), super::flat(), &volume);
     let mut alone = renderer(gpu, PLAIN.formats(), outlines(width, Interior::None), &volume);
     let picture = PLAIN.draw(gpu, &mut [&mut surface, &mut alone]);

@@ -4,7 +4,7 @@ mod scene;
 mod styles;
 mod twin;
 
-use super::{Drawing, Lookup, Shading, TexturePipelines, TextureRenderer, TextureStyle, TextureVolume};
+use super::{Drawing, Filtering, Shading, TexturePipelines, TextureRenderer, TextureStyle, TextureVolume};
 use crate::SilhouetteTexture;
 use silhouette_gpu::{Color, TargetFormats};
 use silhouette_render::Gpu;
@@ -15,8 +15,8 @@ pub(super) fn flat() -> TextureStyle {
     TextureStyle::new(Drawing::Surface(Shading::Flat(Color::WHITE)))
 }
 
-pub(super) fn volume(gpu: &Gpu, texture: &SilhouetteTexture, lookup: Lookup) -> Arc<TextureVolume> {
-    Arc::new(TextureVolume::new(gpu.device(), gpu.queue(), texture, lookup).unwrap())
+pub(super) fn volume(gpu: &Gpu, texture: &SilhouetteTexture, filtering: Filtering) -> Arc<TextureVolume> {
+    Arc::new(TextureVolume::new(gpu.device(), gpu.queue(), texture, filtering).unwrap())
 }
 
 pub(super) fn renderer(

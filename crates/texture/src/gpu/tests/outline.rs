@@ -2,8 +2,8 @@
 
 use super::scene::{Ball, ECCENTRIC, PLAIN, Scene, Shot, Stored, outside_px};
 use super::{flat, renderer, volume};
-use crate::carving::AzimuthShift;
-use crate::gpu::{Lookup, TextureStyle};
+use crate::gpu::{Filtering, TextureStyle};
+use crate::lookup::AzimuthRule;
 use glam::{DMat4, DQuat, DVec3};
 use silhouette_core::glam;
 use silhouette_core::view::DepthDirection;
@@ -26,8 +26,8 @@ fn worst_px(picture: &Image, shot: &Shot, ball: &Ball) -> (f64, usize) {
     (worst, drawn)
 }
 
-fn draw(gpu: &Gpu, scene: &Scene, shot: &Shot, style: TextureStyle, lookup: Lookup) -> Image {
-    let volume = volume(gpu, &scene.texture(), lookup);
+fn draw(gpu: &Gpu, scene: &Scene, shot: &Shot, style: TextureStyle, filtering: Filtering) -> Image {
+    let volume = volume(gpu, &scene.texture(), filtering);
     shot.draw(gpu, &mut [&mut renderer(gpu, shot.formats(), style, &volume)])
 }
 
@@ -50,7 +50,7 @@ fn the_outline_of_a_ball_is_where_it_should_be() {
     ] {
         for (pages, has_texel_centers) in [(1, false), (2, true)] {
             let scene = Scene { pages, has_texel_centers, ..Scene::new(ECCENTRIC, 2).seen_by(&shot) };
-            let picture = draw(gpu, &scene, &shot, flat(), Lookup::Native);
+            let picture = draw(gpu, &scene, &shot, flat(), Filtering::Native);
             let (worst, drawn) = worst_px(&picture, &shot, &ECCENTRIC);
             println!("{name}, {pages} pages: {worst:.3} px, {drawn} drawn");
             assert!(worst < 0.05 && drawn > 1000, "{name}, {pages} pages: {worst} px, {drawn} drawn");
@@ -62,9 +62,9 @@ fn the_outline_of_a_ball_is_where_it_should_be() {
 fn azimuths_as_printed_turn_lobes() {
     let Some(gpu) = gpu_or_skip("azimuths_as_printed_turn_lobes") else { return };
     let scene = Scene { azimuths: 16, ..Scene::new(ECCENTRIC, 2) };
-    let [aligned, printed] = [AzimuthShift::Aligned, AzimuthShift::AsPrinted].map(|azimuth_shift| {
-        let style = TextureStyle { azimuth_shift, ..flat() };
-        worst_px(&draw(gpu, &scene, &PLAIN, style, Lookup::Native), &PLAIN, &ECCENTRIC).0
+    let [aligned, printed] = [AzimuthRule::Aligned, AzimuthRule::AsPrinted].map(|azimuths| {
+        let style = TextureStyle { azimuths, ..flat() };
+        worst_px(&draw(gpu, &scene, &PLAIN, style, Filtering::Native), &PLAIN, &ECCENTRIC).0
     });
     println!("aligned {aligned}, printed {printed}");
     assert!(aligned < 0.1 && printed > 10.0 * aligned, "{aligned} {printed}");
@@ -80,7 +80,7 @@ fn a_layer_that_shows_nothing_hides_nothing() {
     ];
     let pictures = [false, true].map(|reversed| {
         let scene = Scene::many(&balls, 0.5, reversed);
-        draw(gpu, &scene, &PLAIN, flat(), Lookup::Native)
+        draw(gpu, &scene, &PLAIN, flat(), Filtering::Native)
     });
     assert_eq!(pictures[0], pictures[1], "in any order of triangles");
     let view = PLAIN.view();
@@ -100,11 +100,11 @@ fn a_layer_that_shows_nothing_hides_nothing() {
 fn all_forms_draw_the_same_outline() {
     let Some(gpu) = gpu_or_skip("all_forms_draw_the_same_outline") else { return };
     for stored in [Stored::Unorm8, Stored::Float16, Stored::Terms(5), Stored::Terms(9)] {
-        for lookup in [Lookup::Native, Lookup::Float16, Lookup::Manual] {
+        for filtering in [Filtering::Native, Filtering::Float16, Filtering::Manual] {
             let scene = Scene { stored, pages: 2, ..Scene::new(ECCENTRIC, 2) };
-            let (worst, _) = worst_px(&draw(gpu, &scene, &PLAIN, flat(), lookup), &PLAIN, &ECCENTRIC);
-            println!("{stored:?} {lookup:?}: {worst:.3} px");
-            assert!(worst < 1.0, "{stored:?} {lookup:?}: {worst}");
+            let (worst, _) = worst_px(&draw(gpu, &scene, &PLAIN, flat(), filtering), &PLAIN, &ECCENTRIC);
+            println!("{stored:?} {filtering:?}: {worst:.3} px");
+            assert!(worst < 1.0, "{stored:?} {filtering:?}: {worst}");
         }
     }
 }

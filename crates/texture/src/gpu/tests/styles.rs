@@ -2,7 +2,7 @@
 
 use super::scene::{Ball, ECCENTRIC, PLAIN, Scene, Shot, outside_px};
 use super::{flat, renderer, volume};
-use crate::gpu::{Drawing, Edge, FormMismatch, Lookup, Shading, TexturePipelines, TextureRenderer, TextureStyle};
+use crate::gpu::{Drawing, Edge, Filtering, FormMismatch, Shading, TexturePipelines, TextureRenderer, TextureStyle};
 use glam::{DMat4, DVec3};
 use silhouette_core::glam;
 use silhouette_gpu::{FrameRenderer, RendererError};
@@ -15,7 +15,7 @@ fn edge_error(gpu: &Gpu, edge: Edge) -> f64 {
     let shot = Shot { samples: 4, ..PLAIN };
     let scene = Scene::new(ECCENTRIC, 2);
     let style = TextureStyle { edge, ..flat() };
-    let mut renderer = renderer(gpu, shot.formats(), style, &volume(gpu, &scene.texture(), Lookup::Float16));
+    let mut renderer = renderer(gpu, shot.formats(), style, &volume(gpu, &scene.texture(), Filtering::Float16));
     let picture = shot.draw(gpu, &mut [&mut renderer]);
     assert_eq!(renderer.warning(), None);
     let view = shot.view();
@@ -37,7 +37,7 @@ fn soft_edges_cover_parts_of_pixels() {
     let Some(gpu) = gpu_or_skip("soft_edges_cover_parts_of_pixels") else { return };
     let [hard, soft] = [Edge::Hard, Edge::Coverage].map(|edge| edge_error(gpu, edge));
     assert!(soft < 0.12 && hard > 0.2, "{soft} {hard}");
-    let volume = volume(gpu, &Scene::new(ECCENTRIC, 1).texture(), Lookup::Float16);
+    let volume = volume(gpu, &Scene::new(ECCENTRIC, 1).texture(), Filtering::Float16);
     let style = TextureStyle { edge: Edge::Coverage, ..flat() };
     let single = renderer(gpu, PLAIN.formats(), style, &volume);
     assert!(single.warning().is_some_and(|text| text.contains("4 samples")));
@@ -46,7 +46,7 @@ fn soft_edges_cover_parts_of_pixels() {
 #[test]
 fn surfaces_are_lit_as_a_ball_is() {
     let Some(gpu) = gpu_or_skip("surfaces_are_lit_as_a_ball_is") else { return };
-    let volume = volume(gpu, &Scene::new(ECCENTRIC, 2).texture(), Lookup::Float16);
+    let volume = volume(gpu, &Scene::new(ECCENTRIC, 2).texture(), Filtering::Float16);
     let draw = |shading| {
         let style = TextureStyle::new(Drawing::Surface(shading));
         PLAIN.draw(gpu, &mut [&mut renderer(gpu, PLAIN.formats(), style, &volume)])
@@ -67,7 +67,7 @@ fn surfaces_are_lit_as_a_ball_is() {
 #[test]
 fn the_whole_hull_covers_more_than_the_object() {
     let Some(gpu) = gpu_or_skip("the_whole_hull_covers_more_than_the_object") else { return };
-    let volume = volume(gpu, &Scene::new(ECCENTRIC, 2).texture(), Lookup::Float16);
+    let volume = volume(gpu, &Scene::new(ECCENTRIC, 2).texture(), Filtering::Float16);
     let [object, hull] = [Drawing::Surface(Shading::Lit), Drawing::Hull(Shading::Lit)].map(|drawing| {
         PLAIN.draw(gpu, &mut [&mut renderer(gpu, PLAIN.formats(), TextureStyle::new(drawing), &volume)])
     });
@@ -83,7 +83,7 @@ fn the_whole_hull_covers_more_than_the_object() {
 #[test]
 fn instances_share_what_is_on_the_device() {
     let Some(gpu) = gpu_or_skip("instances_share_what_is_on_the_device") else { return };
-    let volume = volume(gpu, &Scene::new(ECCENTRIC, 1).texture(), Lookup::Native);
+    let volume = volume(gpu, &Scene::new(ECCENTRIC, 1).texture(), Filtering::Native);
     let pipelines = Arc::new(TexturePipelines::new(gpu.device(), PLAIN.formats(), flat(), volume.form()));
     let place =
         |x: f64, scale: f64| DMat4::from_translation(DVec3::new(x, 0.0, 0.0)) * DMat4::from_scale(DVec3::splat(scale));
@@ -110,8 +110,8 @@ fn what_does_not_fit_is_refused() {
     let Some(gpu) = gpu_or_skip("what_does_not_fit_is_refused") else { return };
     let scene = Scene::new(ECCENTRIC, 0);
     let texture = scene.texture();
-    let native = volume(gpu, &texture, Lookup::Native);
-    let manual = volume(gpu, &texture, Lookup::Manual);
+    let native = volume(gpu, &texture, Filtering::Native);
+    let manual = volume(gpu, &texture, Filtering::Manual);
     let pipelines = Arc::new(TexturePipelines::new(gpu.device(), PLAIN.formats(), flat(), native.form()));
     let refused = TextureRenderer::new(gpu.device(), &pipelines, &manual, None).err();
     assert_eq!(refused, Some(FormMismatch));
@@ -120,7 +120,7 @@ fn what_does_not_fit_is_refused() {
     assert!(matches!(error, RendererError::TextureTooLarge { limit: 40, .. }));
     assert!(error.to_string().ends_with("bake more and smaller pages"), "{error}");
     let samples = texture.parts().size.samples();
-    let float = volume(gpu, &texture, Lookup::Float16);
+    let float = volume(gpu, &texture, Filtering::Float16);
     assert!(native.bytes() == manual.bytes() && float.bytes() >= native.bytes(), "{samples}");
 }
 
@@ -128,7 +128,7 @@ fn what_does_not_fit_is_refused() {
 fn near_views_show_the_fine_mesh() {
     let Some(gpu) = gpu_or_skip("near_views_show_the_fine_mesh") else { return };
     let ball = Ball { center: glam::Vec3::ZERO, radius: 0.8 };
-    let volume = volume(gpu, &Scene::new(ball, 1).texture(), Lookup::Native);
+    let volume = volume(gpu, &Scene::new(ball, 1).texture(), Filtering::Native);
     let fine = silhouette_testing::builtin("icosphere:3");
     let mesh = Arc::new(silhouette_gpu::MeshBuffers::new(gpu.device(), gpu.queue(), &fine).unwrap());
     let style = TextureStyle::new(Drawing::Surface(Shading::Lit));

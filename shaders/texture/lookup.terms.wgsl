@@ -1,4 +1,4 @@
-// Surface and outlines from sums of few functions of azimuth. Twin: crates/texture/src/carving.rs
+// Surface and outlines from sums of few functions of azimuth. Twin: crates/texture/src/lookup.rs
 
 #import "texture/outline_stages.wgsl"
 
