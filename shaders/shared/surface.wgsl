@@ -20,7 +20,11 @@ fn flat_surface() -> vec4<f32> {
 }
 
 // Lambert's law, the same from both sides, for a normal of any length in the mesh's shape. Without a normal it is dark.
-fn lit_surface(normal: vec3<f32>) -> vec4<f32> {
+fn lit(color: vec4<f32>, normal: vec3<f32>) -> vec4<f32> {
     let cosine = abs(dot(normal, surface.light.xyz)) / max(length(normal), 1e-30);
-    return for_target(surface.color.rgb * mix(cosine, 1.0, surface.light.w), surface.color.a, surface.is_linear);
+    return for_target(color.rgb * mix(cosine, 1.0, surface.light.w), color.a, surface.is_linear);
+}
+
+fn lit_surface(normal: vec3<f32>) -> vec4<f32> {
+    return lit(surface.color, normal);
 }

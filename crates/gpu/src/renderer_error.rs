@@ -11,6 +11,20 @@ pub enum RendererError {
     /// The device's buffers cannot hold the mesh, or what is derived from it.
     #[error(transparent)]
     MeshTooLarge(#[from] MeshTooLarge),
+    /// A texture of what is drawn is larger than the device's can be.
+    #[error(
+        "{what} of this texture are {texels} texels along a side; a texture of this device has at most {limit}; {instead}"
+    )]
+    TextureTooLarge {
+        /// What is too large, in the plural.
+        what: &'static str,
+        /// Texels along the longest side, or layers.
+        texels: u32,
+        /// What the device takes.
+        limit: u32,
+        /// What to do instead, as a clause.
+        instead: &'static str,
+    },
     /// The options need a feature that the device was made without.
     #[error("{what} needs the adapter feature {feature}, which this device lacks; {instead}")]
     MissingFeature {

@@ -12,6 +12,8 @@ pub mod correspondence;
 mod directions;
 mod fingerprint;
 pub mod frame;
+#[cfg(feature = "gpu")]
+pub mod gpu;
 pub mod hull;
 pub mod lobe;
 pub mod lookup;

@@ -30,6 +30,8 @@ pub struct RenderStage<'a> {
     pub vertex: &'a str,
     /// Entry point of the fragment stage.
     pub fragment: &'a str,
+    /// Values of the module's `override` constants, by name; the others keep their defaults.
+    pub constants: &'a [(&'a str, f64)],
     /// Layouts of bind groups 0, 1, …; `None` where the stage uses no group of that index.
     pub bindings: &'a [Option<&'a wgpu::BindGroupLayout>],
     /// Layouts of vertex buffers 0, 1, …; none where the stage fetches its data from storage.
@@ -55,7 +57,8 @@ pub struct RenderStage<'a> {
 }
 
 impl Default for RenderStage<'_> {
-    /// Filled triangles from both sides, without vertex buffers, bindings, depth and blending, into all channels of a single-sample
+    /// Filled triangles from both sides, without constants, vertex buffers, bindings, depth and blending,
+    /// into all channels of a single-sample
     /// `Rgba8Unorm`. The text and the entry points are empty.
     fn default() -> Self {
         Self {
@@ -63,6 +66,7 @@ impl Default for RenderStage<'_> {
             wgsl: "",
             vertex: "",
             fragment: "",
+            constants: &[],
             bindings: &[],
             vertex_buffers: &[],
             topology: wgpu::PrimitiveTopology::TriangleList,
@@ -82,6 +86,7 @@ impl RenderStage<'_> {
     /// Compiles the text and makes the pipeline: some milliseconds, so once per device and set of formats.
     pub fn build(self, device: &wgpu::Device) -> wgpu::RenderPipeline {
         let module = shader_module(device, self.label, self.wgsl);
+        let options = PipelineCompilationOptions { constants: self.constants, ..Default::default() };
         let target = wgpu::ColorTargetState { format: self.color, blend: self.blend, write_mask: self.writes };
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
@@ -89,7 +94,7 @@ impl RenderStage<'_> {
             vertex: wgpu::VertexState {
                 module: &module,
                 entry_point: Some(self.vertex),
-                compilation_options: PipelineCompilationOptions::default(),
+                compilation_options: options.clone(),
                 buffers: self.vertex_buffers,
             },
             primitive: wgpu::PrimitiveState {
@@ -104,7 +109,7 @@ impl RenderStage<'_> {
             fragment: Some(wgpu::FragmentState {
                 module: &module,
                 entry_point: Some(self.fragment),
-                compilation_options: PipelineCompilationOptions::default(),
+                compilation_options: options,
                 targets: &[Some(target)],
             }),
             multiview_mask: None,
