@@ -64,7 +64,8 @@ pub enum Command {
         silhouettes render bunny.obj --method image-precision --set variant=scale --set scale=0.97 -o bunny.png\n  \
         silhouettes render builtin:knot --view iso --size 512x512 --width 2 -o knot.png\n  \
         silhouettes render bunny.obj --method image-precision --transparent -o lines.png\n  \
-        silhouettes render bunny.obj --method fine-mesh -o surface.png")]
+        silhouettes render bunny.obj --method fine-mesh -o surface.png\n  \
+        silhouettes render bunny.siltex --method texture -o bunny.png")]
     Render(RenderArguments),
     /// Smooth the outline of a coarse mesh in one view: its triangles as an OBJ, or its picture as a PNG
     #[command(after_help = "Examples:\n  \
@@ -75,6 +76,16 @@ pub enum Command {
         normal per corner (vn), so that the surface is closed where the mesh is. A PNG is the picture that `render` draws. On\n\
         stderr: triangles before and after, and of methods with curves also silhouette triangles and curves.")]
     Smooth(SmoothArguments),
+    /// Bake a silhouette texture: a coarse hull that is drawn with the outlines of the mesh
+    #[command(after_help = "Examples:\n  \
+        silhouettes bake bunny.obj -o bunny.siltex\n  \
+        silhouettes bake bunny.obj --set size=512 --set hull-vertices=1000 -o bunny.siltex\n  \
+        silhouettes bake builtin:torus --set size=128 --set terms=16 -o torus.siltex\n  \
+        silhouettes bake bunny.obj --hull cage.obj -o bunny.siltex\n\n\
+        Options are those of the method texture; `silhouettes doctor` lists methods. A bake that was interrupted goes on where it was\n\
+        when the same command is given again: what is finished lies in FILE.checkpoint, which is removed at the end. The file is\n\
+        drawn by `silhouettes render FILE --method texture`, `texture-lines` or `normal-map-hull`; docs/formats/siltex.md describes it.")]
+    Bake(BakeArguments),
     /// Compare methods on meshes: pictures, speed, accuracy, a report that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes compare bunny.obj -o out/bunny\n  \
@@ -143,7 +154,7 @@ pub struct ExtractArguments {
 /// Arguments of `render`.
 #[derive(Debug, Args)]
 pub struct RenderArguments {
-    /// Mesh file or builtin:NAME
+    /// Mesh file or builtin:NAME; for the methods of silhouette textures also a .siltex file
     pub mesh: String,
     #[command(flatten)]
     pub method: MethodArguments,
@@ -182,6 +193,22 @@ pub struct SmoothArguments {
     pub output: PathBuf,
     #[command(flatten)]
     pub camera: CameraArguments,
+}
+
+/// Arguments of `bake`.
+#[derive(Debug, Args)]
+pub struct BakeArguments {
+    /// Mesh file or builtin:NAME
+    pub mesh: String,
+    /// A hull of your own, a mesh that encloses the other [default: one of at most hull-vertices vertices]
+    #[arg(long, value_name = "MESH")]
+    pub hull: Option<String>,
+    /// An option of the method texture; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Output file: .siltex
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
 }
 
 fn samples(text: &str) -> Result<u32, String> {

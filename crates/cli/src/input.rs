@@ -1,10 +1,13 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
 use crate::failure::Failure;
+use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
 use silhouette_core::load::{self, LabelledMesh};
+use silhouette_core::prepared::Artefact;
 use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
+use silhouette_texture::{Textures, siltex};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -15,6 +18,31 @@ pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failur
     Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) })
 }
 
+/// The same for what `method` is to draw: a `.siltex` file, too, is a mesh for methods that draw silhouette textures, that of
+/// its hull.
+pub fn drawable(argument: &str, method: &Entry, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+    let path = Path::new(argument);
+    if argument.starts_with(BUILTIN)
+        || path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("siltex"))
+    {
+        return mesh(argument, progress);
+    }
+    if !method.info().needs.contains(&Textures::NAME) {
+        return Err(Failure::Input(format!(
+            "{argument}: --method {} draws no silhouette textures; choose texture, texture-lines or normal-map-hull",
+            method.info().name
+        )));
+    }
+    let texture = siltex::read(path).map_err(Failure::input)?.texture;
+    let hull = Arc::clone(texture.parts().hull.mesh());
+    let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(texture));
+    Ok(NamedMesh { name: file_name(path), mesh: Arc::new(mesh) })
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
+}
+
 /// The same, with what the file calls its parts: by their materials and groups.
 fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
@@ -23,8 +51,7 @@ fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, Labelled
     }
     let path = Path::new(argument);
     let loaded = load::load_labelled(path, progress)?;
-    let name = path.file_name().map_or_else(|| argument.to_owned(), |name| name.to_string_lossy().into_owned());
-    Ok((name, loaded))
+    Ok((file_name(path), loaded))
 }
 
 /// Loads all that are named, or `defaults` where none is.

@@ -16,6 +16,7 @@
 //! and the mend. Results go to stdout or to `-o`, progress and notes to stderr.
 
 mod args;
+mod bake;
 mod camera;
 mod compare;
 mod doctor;
@@ -61,6 +62,7 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Lines(arguments) => lines::run(&arguments),
         Command::Render(arguments) => render::run(&arguments, registry),
         Command::Smooth(arguments) => smooth::run(&arguments, registry),
+        Command::Bake(arguments) => bake::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments, registry),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }

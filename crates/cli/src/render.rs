@@ -31,7 +31,7 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let options = OptionValues::parse(entry.info().options, words)?;
     let output = Output::create(Some(path), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
-    let named = input::mesh(&arguments.mesh, &progress)?;
+    let named = input::drawable(&arguments.mesh, entry, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
     let (size, pen_width_px) = (camera.size(), arguments.width);

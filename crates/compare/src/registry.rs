@@ -22,6 +22,7 @@ use silhouette_image_precision::ImagePrecision;
 use silhouette_smoothing::{
     AdaptiveRefinement, BoundaryCurve, InterpolatedContours, PhongTessellation, PnTriangles, Smoothing,
 };
+use silhouette_texture::{NormalMapHull, Texture, TextureLines};
 use silhouette_tracking::{ExactTracking, Tracking};
 
 /// The baseline: speeds are stated as ratios to it.
@@ -61,6 +62,9 @@ impl Registry {
             .with(Entry::of::<PnTriangles>().fill().triangles())
             .with(Entry::of::<PhongTessellation>().fill().triangles())
             .with(Entry::of::<AdaptiveRefinement>().fill().triangles())
+            .with(Entry::of::<Texture>().fill())
+            .with(Entry::of::<TextureLines>().lines())
+            .with(Entry::of::<NormalMapHull>().fill())
     }
 
     /// The same methods and one more; one of the same name is replaced.

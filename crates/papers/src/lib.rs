@@ -33,6 +33,7 @@ pub mod error;
 pub mod figure;
 pub mod files;
 pub mod hall_2003;
+mod label;
 pub mod page;
 pub mod paper;
 pub mod picture;
@@ -40,6 +41,7 @@ pub mod raskar_cohen_1999;
 pub mod table;
 pub mod terminal;
 pub mod wang_2008;
+pub mod wu_2006;
 
 pub use error::{Cause, PaperError};
 pub use figure::Figure;

@@ -152,6 +152,17 @@ impl Atlas {
         self.blocks.iter().map(faces).sum::<u64>() as f64 / self.size.texels() as f64
     }
 
+    /// Of each texel of all pages, whether it lies in a block.
+    pub fn used_texels(&self) -> Vec<bool> {
+        let mut used = vec![false; self.size.texels() as usize];
+        for block in &self.blocks {
+            for y in block.y..block.y + self.side {
+                used[self.size.texel(block.page, block.x, y)..][..self.side as usize].fill(true);
+            }
+        }
+        used
+    }
+
     /// Where the corners of each face lie.
     pub fn places(&self) -> Vec<FacePlace> {
         let mut places = vec![FacePlace { page: 0, corners: [Vec2::ZERO; 3] }; self.corners.len()];

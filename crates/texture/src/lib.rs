@@ -17,6 +17,8 @@ pub mod gpu;
 pub mod hull;
 pub mod lobe;
 pub mod lookup;
+#[cfg(feature = "gpu")]
+pub mod method;
 pub mod sampling_error;
 pub mod silhouette_texture;
 pub mod siltex;
@@ -30,6 +32,10 @@ pub use bake::{AngleFormat, Bake, BakeError, BakeOptions, BakeReport, CenterRule
 pub use frame::Frame;
 pub use hull::Hull;
 pub use lobe::LobeRule;
+#[cfg(feature = "gpu")]
+pub use method::{
+    NormalMapHull, NormalMapHullOptions, Texture, TextureLines, TextureLinesOptions, TextureOptions, Textures,
+};
 pub use silhouette_texture::{Angles, FacePlace, Parts, SilhouetteTexture, Terms, VisibilityRule};
 pub use visibility_function::VisibilityFunction;
 pub use volume_size::VolumeSize;

@@ -144,6 +144,27 @@ impl SilhouetteTexture {
         &self.parts
     }
 
+    /// Bytes in memory, the hull's included.
+    pub fn bytes(&self) -> usize {
+        let Parts { hull, centers, tangents, places, angles, texel_centers, gaps, colors, normals, .. } = &self.parts;
+        let angles = match angles {
+            Angles::Unorm8(values) => size_of_val(values.as_slice()),
+            Angles::Float16(values) => size_of_val(values.as_slice()),
+            Angles::Terms(terms) => {
+                let azimuths: usize = terms.functions.iter().map(Vec::len).sum();
+                size_of::<f32>() * (azimuths + terms.offsets.len() + terms.scales.len()) + terms.weights.len()
+            }
+        };
+        let (positions, triangles) = (hull.mesh().positions(), hull.mesh().triangles());
+        let hull = size_of_val(positions) + size_of_val(triangles) + size_of_val(places.as_slice());
+        let frames = size_of_val(centers.as_slice()) + size_of_val(tangents.as_slice());
+        let of_texels = texel_centers.as_ref().map_or(0, |values| size_of_val(values.as_slice()))
+            + size_of_val(gaps.as_slice())
+            + size_of_val(colors.as_slice())
+            + size_of_val(normals.as_slice());
+        hull + frames + angles + of_texels
+    }
+
     /// Takes it apart, to be changed and put together again.
     pub fn into_parts(self) -> Parts {
         self.parts

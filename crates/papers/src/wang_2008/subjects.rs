@@ -2,6 +2,7 @@
 
 use super::printed::{COPIES, PaperRow, row_of};
 use crate::error::Cause;
+use crate::label::mesh_label;
 use silhouette_compare::{NamedMesh, Subject as Simplified};
 use silhouette_core::{PreparedMesh, TriangleMesh, shapes};
 use silhouette_smoothing::SmoothingOptions;
@@ -91,7 +92,7 @@ pub fn subjects(meshes: &[NamedMesh]) -> Result<(Vec<Subject>, Vec<String>), Cau
             all.push(built_in(stand_in, named)?);
             continue;
         }
-        let label = label_of(&named.name);
+        let label = mesh_label(&named.name);
         let row = FILES.iter().find(|(word, _)| label.to_lowercase().contains(word));
         let row = row.and_then(|(_, model)| row_of(model));
         if named.mesh.mesh().face_count() <= COARSE {
@@ -131,16 +132,6 @@ fn subject(
     let copies = if is_coarse { COPIES } else { 1 };
     let SmoothingOptions { crease_deg, .. } = SmoothingOptions::default();
     Subject { label, origin, mesh, fine, copies, pn_level, crease_deg, row }
-}
-
-/// A file's name without folder and ending; the name of a built-in shape without the prefix.
-fn label_of(name: &str) -> String {
-    match name.strip_prefix("builtin:") {
-        Some(shape) => shape.to_owned(),
-        None => std::path::Path::new(name)
-            .file_stem()
-            .map_or_else(|| name.to_owned(), |stem| stem.to_string_lossy().into_owned()),
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,95 @@
+//! `silhouettes bake`: a silhouette texture as a file.
+
+use crate::args::BakeArguments;
+use crate::failure::{self, Failure};
+use crate::input;
+use crate::output::Output;
+use crate::progress::TerminalProgress;
+use silhouette_compare::machine::describe_program;
+use silhouette_core::{Method, MethodOptions};
+use silhouette_texture::bake::BakeError;
+use silhouette_texture::method::{TextureError, bake, hull as make_hull};
+use silhouette_texture::siltex::{self, Metadata};
+use silhouette_texture::{Hull, Texture, TextureOptions};
+use std::ffi::OsString;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Runs the command.
+pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
+    let path = &arguments.output;
+    if path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("siltex")) {
+        return Err(Failure::Input(format!("{}: unknown kind of output; end its name in .siltex", path.display())));
+    }
+    let options = TextureOptions::parse(arguments.set.iter().map(String::as_str))?;
+    let choice = options.bake();
+    let inputs: Vec<&str> = [&arguments.mesh].into_iter().chain(&arguments.hull).map(String::as_str).collect();
+    Output::create(Some(path), &inputs)?;
+    let progress = TerminalProgress::new();
+    let named = input::mesh(&arguments.mesh, &progress)?;
+    let mesh = named.mesh.mesh();
+    let failed = |error: TextureError| match error {
+        TextureError::Bake(error @ BakeError::Checkpoint { .. }) => Failure::Input(error.to_string()),
+        TextureError::FeatureOff => Failure::run(error),
+        error => Failure::Input(format!("{}: {error}", named.name)),
+    };
+
+    let start = Instant::now();
+    let hull = match &arguments.hull {
+        Some(given) => {
+            let hull = input::mesh(given, &progress)?;
+            let checked = Hull::checked(mesh, hull.mesh.mesh().clone());
+            checked.map_err(|error| Failure::Input(format!("{given}: {error}")))?
+        }
+        None => make_hull(mesh, choice.hull_vertices, &progress).map_err(failed)?,
+    };
+    let checkpoint = checkpoint(path);
+    let (texture, report) = bake(mesh, &hull, &choice, &progress, Some(&checkpoint)).map_err(failed)?;
+    if report.restored_tiles > 0 {
+        let (restored, tiles) = (report.restored_tiles, report.tiles);
+        failure::note(format!("went on from {}: {restored} of {tiles} tiles were finished", checkpoint.display()));
+    }
+    let values = options.values()?.to_string();
+    let metadata = [("mesh", named.name.clone()), ("options", values), ("program", describe_program())];
+    let metadata: Metadata = metadata.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+    siltex::write(path, &texture, &metadata, &progress).map_err(Failure::input)?;
+    std::fs::remove_file(&checkpoint).map_err(|error| Failure::Run(format!("{}: {error}", checkpoint.display())))?;
+    drop(progress);
+
+    let size = choice.options.size;
+    let offset = hull.offset().map_or_else(String::new, |offset| format!(" within {offset:.3}"));
+    let summary = format!(
+        "{}: {} vertices in a hull of {}{offset}; {} x {} x {} samples on {} page{}, {:.0} % of texels used; {:.1} rays per \
+         sample; {:.1} s",
+        named.name,
+        mesh.positions().len(),
+        hull.mesh().positions().len(),
+        size.width,
+        size.height,
+        size.azimuths,
+        size.pages,
+        if size.pages == 1 { "" } else { "s" },
+        100.0 * report.utilisation,
+        report.rays_per_sample(),
+        start.elapsed().as_secs_f64(),
+    );
+    // Where stderr is closed there is nobody to tell.
+    let _ = writeln!(std::io::stderr(), "{summary}");
+    if report.hidden_centers > 0 {
+        let share = 100.0 * report.hidden_centers as f64 / report.texels as f64;
+        let name = Texture::INFO.name;
+        failure::note(format!(
+            "at {share:.1} % of texels the middle of the lobe does not show the mesh, so that method {name} may draw holes; \
+             raise hull-vertices, or set centers=texel"
+        ));
+    }
+    Ok(())
+}
+
+/// Where finished tiles of an output lie meanwhile.
+fn checkpoint(path: &Path) -> PathBuf {
+    let mut name: OsString = path.as_os_str().to_owned();
+    name.push(".checkpoint");
+    PathBuf::from(name)
+}
