@@ -1,4 +1,4 @@
-//! Fewer azimuths, from which the hardware's linear filter gives the others back.
+//! Fewer azimuths, between which the hardware interpolates.
 //!
 //! Sample `k` of `n` stands for the azimuth of `k / n` turns, and values in between are interpolated linearly, round the circle.
 
@@ -13,8 +13,8 @@ use rayon::prelude::*;
 /// Eigenvalues below this share of the largest are rounding.
 const LEAST_EIGENVALUE: f64 = 1e-10;
 
-/// The same texture with fewer azimuths, in 8 bits: those values from which linear interpolation gives back the original's with the
-/// least mean square error. O(samples x azimuths).
+/// The same texture with fewer azimuths, in 8 bits. Values are chosen such that linear interpolation between them reproduces the
+/// original samples with the least mean squared error. O(samples x azimuths).
 ///
 /// # Errors
 /// [`CompressionError`]: `azimuths` must be 3 to those that there are.
@@ -29,7 +29,7 @@ pub fn fewer_azimuths(texture: &SilhouetteTexture, azimuths: u32) -> Result<Silh
     Ok(with_angles(texture, to, Angles::Unorm8(angles)))
 }
 
-/// What a linear filter yields at `azimuths` azimuths, as shares of pi, from shares of this size. O(samples).
+/// Shares of pi of this size, interpolated linearly at `azimuths` azimuths. O(samples of the result).
 ///
 /// # Panics
 /// If the shares are not of this size.
@@ -37,7 +37,7 @@ pub fn interpolate_azimuths(shares: &[f32], size: VolumeSize, azimuths: u32) -> 
     mixed(shares, size, VolumeSize { azimuths, ..size }, &interpolation(size.azimuths, azimuths))
 }
 
-/// A list of factors per value of the result: one per value of the source, as far as it is not zero.
+/// Per value of the result: the values of the source that contribute, with their factors.
 type Factors = Vec<Vec<(usize, f64)>>;
 
 /// Every slice of the result as a mix of slices of its page.
@@ -67,8 +67,8 @@ fn interpolation(from: u32, to: u32) -> Factors {
     (0..to).map(|index| between(index).into_iter().filter(|&(_, factor)| factor > 0.0).collect()).collect()
 }
 
-/// How `to` values follow from `from` values, such that interpolating them back has the least squares of errors: the pseudoinverse of
-/// that interpolation.
+/// The `to` values that, interpolated back, fit `from` values best in the least squares sense: the pseudoinverse of that
+/// interpolation.
 fn fitting(from: u32, to: u32) -> Factors {
     let back = interpolation(to, from);
     let (rows, columns) = (from as usize, to as usize);

@@ -4,8 +4,9 @@
 //! and the two extremes 0 and 1. Volumes are stored as slices of such blocks; wgpu samples them with the feature
 //! `TEXTURE_COMPRESSION_BC_SLICED_3D`.
 //!
-//! Of the encoders in the registry, `texpresso` takes the smallest and largest sample as ends, and measures errors against the wrong
-//! ends where a block holds a 0; this one looks for the ends with the smallest error near those.
+//! The encoder starts from the smallest and largest sample of a block and searches nearby ends for a smaller error. The pure Rust
+//! encoder that crates.io offers, `texpresso` 2.0.2, stops at those ends, and measures errors against the wrong ones where a block
+//! contains a 0.
 
 use super::expand::shares;
 use super::gram::slice_of;
@@ -24,7 +25,7 @@ const FIRST_MOVE: i16 = 8;
 /// The angles of a texture in blocks: slice by slice in the order of the samples, blocks in rows. Sides that are no multiple of 4 are
 /// rounded up.
 ///
-/// `used` says of each texel whether it lies in a chart: others are left to chance. O(samples).
+/// `used` marks, per texel, those inside charts; the error at others is ignored. `None` marks all. O(samples).
 ///
 /// # Errors
 /// [`CompressionError`]: `used` does not fit the texture.

@@ -1,11 +1,11 @@
-//! Angles of any form become one number per sample.
+//! Expansion: angles of any form become one number per sample.
 
 use super::gram::slice_of;
 use crate::silhouette_texture::{Angles, Terms};
 use crate::volume_size::VolumeSize;
 use rayon::prelude::*;
 
-/// The angles as shares of pi, one per sample. Sums of terms are not limited to 0 to 1. O(samples), times terms.
+/// The angles as shares of pi, one per sample. Sums of terms are not clamped to 0 to 1. O(samples), times the terms.
 ///
 /// # Panics
 /// If the angles are not of this size.
@@ -17,7 +17,8 @@ pub fn shares(angles: &Angles, size: VolumeSize) -> Vec<f32> {
     }
 }
 
-/// The sums of terms, as shares of pi, one per sample; by rounding they can lie outside 0 to 1. O(samples x terms).
+/// The sums of terms, as shares of pi, one per sample. They are not clamped and can lie slightly outside 0 to 1.
+/// O(samples x terms).
 ///
 /// # Panics
 /// If the terms are not of this size.

@@ -14,11 +14,11 @@ pub enum Form {
     Unorm8,
     /// 16-bit floats; filtered by the hardware.
     Float16,
-    /// So many terms; filtered by the shader.
+    /// This many terms; filtered by the shader.
     Terms(u32),
-    /// So many azimuths in 8 bits; filtered by the hardware.
+    /// This many azimuths in 8 bits; filtered by the hardware.
     Azimuths(u32),
-    /// [`blocks`]; filtered by hardware that knows them.
+    /// [`blocks`]; filtered by hardware that supports them.
     Blocks,
 }
 
@@ -34,15 +34,14 @@ impl fmt::Display for Form {
     }
 }
 
-/// What a form costs and loses.
+/// The size and error of a form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FormRow {
     /// The form.
     pub form: Form,
     /// Bytes of the angles, as [`stored_bytes`] counts them.
     pub bytes: u64,
-    /// How close they stay to the texture's own, as [`psnr_db`] measures it, at the texture's own samples: between them nothing is
-    /// compared.
+    /// [`psnr_db`] against the texture's own angles, at the texture's own samples.
     pub psnr_db: f64,
 }
 
@@ -61,7 +60,7 @@ pub fn stored_bytes(angles: &Angles) -> u64 {
     bytes as u64
 }
 
-/// A row per form. `used` is [`compress`](super::compress)'s. Time and memory are those of the forms, one after another.
+/// One row per form, in their order. `used` is as for [`compress`](super::compress).
 ///
 /// # Errors
 /// [`CompressionError`] of the first form that the texture cannot have, or where `used` does not fit the texture.

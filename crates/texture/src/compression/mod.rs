@@ -1,4 +1,4 @@
-//! Smaller textures: sums of few functions of azimuth (the paper's section 3.5), fewer azimuths, or blocks.
+//! Compression of the angles: sums of a few functions of azimuth (the paper's section 3.5), fewer azimuths, or blocks.
 //!
 //! [`compress`] takes these steps:
 //!
@@ -6,15 +6,15 @@
 //! 2. `eigen`: the functions of azimuth, as its eigenvectors.
 //! 3. `weights`: each texel's share of each function, in 8 bits.
 //!
-//! The paper stores weights in 8 bits but does not say how values that are signed and unbounded become bytes: here each term has an
-//! offset and a scale of its own. Its size of 512 x 512 x 16 + 16 x 64 = 4,195,328 bytes counts functions in 8 bits too; in
-//! 32 bits, with offsets and scales, 16 terms are 4,198,528 bytes of the 16,777,216 that they stand for.
+//! The paper stores weights in 8 bits but does not say how signed, unbounded values become bytes: here each term has its own
+//! offset and scale. The paper's size of 512 x 512 x 16 + 16 x 64 = 4,195,328 bytes also counts 8 bits per value of a function. With
+//! functions, offsets and scales in 32 bits, 16 terms take 4,198,528 bytes, against 16,777,216 uncompressed.
 //!
-//! Terms cannot be filtered by the hardware: each fragment sums them at eight samples. [`fewer_azimuths`] and [`blocks`] keep the
-//! hardware's filter. [`compare`] states bytes and error of all forms side by side.
+//! The hardware cannot filter terms: the shader sums and filters them itself. [`fewer_azimuths`] and [`blocks`] keep hardware
+//! filtering. [`compare`] measures the bytes and error of all forms side by side.
 //!
-//! The Gram matrix and the sums of errors are added in an order that does not depend on the number of threads, so that the same
-//! texture always gives the same bytes.
+//! Sums are formed in an order that does not depend on the number of threads, so that the same texture always gives the same
+//! bytes.
 
 mod azimuths;
 pub mod blocks;
@@ -55,15 +55,15 @@ pub enum CompressionError {
         /// How many there are.
         azimuths: u32,
     },
-    /// A list of used texels of another size.
+    /// A list of used texels whose length is not the number of texels.
     #[error(transparent)]
     Used(#[from] PartsError),
 }
 
 /// The same texture with its angles as sums of `terms` functions, those that leave the smallest mean square error.
 ///
-/// `used` says of each texel whether it lies in a chart: others have no say in what the functions and the ranges of weights are.
-/// `None` is all of them. Where fewer than `terms` functions suffice, the rest have weights of 0.
+/// `used` marks, per texel, those inside charts. Only they determine the functions and the ranges of the weights; `None` marks all.
+/// Where fewer than `terms` functions suffice, the remaining terms are zero to rounding.
 ///
 /// O(samples x (azimuths + terms) + azimuths^3), with memory of 4 bytes per sample and 5 per weight.
 ///

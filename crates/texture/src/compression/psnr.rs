@@ -6,12 +6,11 @@ use crate::silhouette_texture::PartsError;
 use crate::volume_size::VolumeSize;
 use rayon::prelude::*;
 
-/// How close angles are to a reference, both as shares of pi: `-10 log10` of the mean square of their differences, over all samples
-/// of used texels. The peak is pi, the largest angle there is, or 1 as a share. In decibels: infinite where no sample differs (or none
-/// is used), 20 dB where the root mean square difference is a tenth of pi; greater is better.
+/// The peak signal-to-noise ratio of angles against a reference, in decibels: `-10 log10` of the mean squared difference over all
+/// samples of used texels. Both are shares of pi, so that the peak, the largest possible angle, is 1.
 ///
-/// The paper states ratios without saying what they compare; this is the definition that its numbers fit. The same bits for any number
-/// of threads. O(samples).
+/// Infinite where no sample differs or none is used; 20 dB where the root mean square difference is a tenth of pi; greater is
+/// better. The paper states ratios without a definition. The same bits for any number of threads. O(samples).
 ///
 /// # Errors
 /// [`PartsError`] where the arrays are not of this size.

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 /// Texels that are projected together: their sums stay in the cache.
 const CHUNK: usize = 4096;
 
-/// Projects all texels on orthonormal functions. Each term's offset and scale are the range of its weights over used texels; weights
-/// beyond it, of other texels, become its ends. O(samples x terms).
+/// Projects all texels onto orthonormal functions. Offset and scale of a term span its weights over the used texels; weights of other
+/// texels are clamped to that range. O(samples x terms).
 pub(super) fn with_weights(functions: Vec<Vec<f32>>, shares: &[f32], size: VolumeSize, used: Option<&[bool]>) -> Terms {
     let texels = size.texels() as usize;
     let is_used = |texel: usize| used.is_none_or(|used| used[texel]);
@@ -31,7 +31,7 @@ pub(super) fn with_weights(functions: Vec<Vec<f32>>, shares: &[f32], size: Volum
         let steps = if scale > 0.0 { 255.0 / scale } else { 0.0 };
         terms.offsets.push(least);
         terms.scales.push(scale);
-        // `as` takes what is beyond the range, or no number, to its ends.
+        // `as` clamps to the range, and takes NaN to 0.
         terms.weights.extend(weights.iter().map(|&weight| ((weight - least) * steps).round() as u8));
     }
     terms

@@ -79,7 +79,7 @@ pub enum Problem {
     #[error("writing was cancelled and has changed nothing; run it again")]
     Cancelled(#[from] Cancelled),
     /// It does not begin with the signature.
-    #[error("this is no .siltex file; name one that was written by a bake")]
+    #[error("this is not a .siltex file; name one that a bake has written")]
     NoSignature,
     /// Made by a later version, which may have changed anything.
     #[error(
@@ -92,7 +92,7 @@ pub enum Problem {
         /// Its minor version.
         minor: u16,
     },
-    /// The file's length is not the one that it states, or cannot be a file's.
+    /// The file's length is not the length that its header states, or is too short for a header or table.
     #[error(
         "the file has {found} bytes instead of {expected}; it is cut short or damaged: copy it again, or bake it again"
     )]

@@ -16,14 +16,13 @@
 //! | `COLO`, `NORM` | colours and normals | 4 and 8 per detail texel |
 //! | `META` | [`Metadata`] | 8 and the text per entry |
 //!
-//! [`write`] replaces a file in one step: a failed or cancelled run leaves the old one as it was. [`read`] takes no size on trust:
-//! lengths are compared with the file before anything is allocated, so that memory stays below a small multiple of the file's
-//! length, and the values themselves are checked, so that a texture that was read is as good as one that was baked. What is
-//! written can be read again, and gives the same bits.
+//! [`write()`] replaces a file in one step: a failed or cancelled run leaves the old one unchanged. [`read`] trusts no size: it
+//! compares lengths with the file before it allocates, so that memory stays below a small multiple of the file's length, and checks
+//! that all values are in range. Whatever is written can be read again and gives the same bits.
 //!
 //! ```
 //! use silhouette_texture::siltex::{self, Metadata, SiltexError};
-//! # use silhouette_texture::*;
+//! # use silhouette_texture::{Angles, FacePlace, Hull, Parts, SilhouetteTexture, VisibilityRule, VolumeSize};
 //! # use silhouette_core::{NoProgress, TriangleMesh};
 //! # use silhouette_core::glam::{Vec2, Vec3};
 //! # let mesh = TriangleMesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]).unwrap();

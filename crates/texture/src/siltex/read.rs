@@ -1,4 +1,4 @@
-//! Reading: nothing that a file states is believed before it is checked.
+//! Reading: nothing that a file states is used before it is checked.
 //!
 //! 1. The header: signature, version, length of the file, and the checksum of header and table.
 //! 2. The table: sections follow one another without gaps and fill the file; none is there twice, none that must be understood is

@@ -37,7 +37,7 @@ pub fn write(
 /// Writes the bytes of a file to `sink`. What has been written before an error stays there.
 ///
 /// # Errors
-/// [`SiltexError`], as [`write`]'s.
+/// [`SiltexError`], as [`write()`]'s.
 pub fn write_to(
     sink: &mut dyn Write,
     texture: &SilhouetteTexture,

@@ -57,7 +57,7 @@ fn bad_places_are_named_in_one_line() {
     std::fs::write(&text, b"v 0 0 0\n").unwrap();
     let error = read(&text).unwrap_err();
     assert!(
-        error.to_string().ends_with("a.siltex, header: this is no .siltex file; name one that was written by a bake")
+        error.to_string().ends_with("a.siltex, header: this is not a .siltex file; name one that a bake has written")
     );
 }
 
