@@ -89,7 +89,12 @@ fn texels_next_to_each_other_lie_next_to_each_other() {
     let longest = silhouette_testing::edges::longest_edge(&mesh);
     for (block, x, y) in texels(&atlas) {
         let at = |x: u32, y: u32| position(&mesh, &atlas.point(block, f64::from(x), f64::from(y)));
+        // The four corners of a block's gutter lie beyond a vertex, on one neighbour or the other.
+        let is_corner = |x: u32, y: u32| [x, y].iter().all(|&at| at == 0 || at == atlas.side() - 1);
         for (dx, dy) in [(1, 0), (0, 1)] {
+            if is_corner(x, y) || is_corner(x + dx, y + dy) {
+                continue;
+            }
             if x + dx < atlas.side() && y + dy < atlas.side() {
                 let step = at(x, y).distance(at(x + dx, y + dy));
                 assert!(step < 1.6 * longest / f64::from(atlas.side() - 3), "{step}");

@@ -2,3 +2,4 @@
 
 mod atlas;
 mod closed_forms;
+mod resume;
