@@ -11,3 +11,4 @@ mod segment;
 
 pub use distance::Nearest;
 pub use mesh_hierarchy::MeshHierarchy;
+pub use ray::RayCaster;
