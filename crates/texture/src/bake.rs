@@ -247,7 +247,7 @@ impl<'a> Bake<'a> {
             progress.check()?;
             let baked = tiles[index].bake(&source);
             if let Some((file, at)) = &checkpoint {
-                let bytes = tile_bytes::write(&baked);
+                let bytes = tile_bytes::write(&baked, options.format);
                 file.append(index as u32, &bytes).map_err(|error| at(CheckpointError::Io(error)))?;
             }
             // Tiles do not overlap: what a thread leaves behind when it panics is never read.
@@ -326,7 +326,11 @@ impl Target {
     /// Puts a tile from a checkpoint in its place, if it is one.
     fn restore(&mut self, atlas: &Atlas, tiles: &[Tile], index: u32, bytes: &[u8]) -> bool {
         let Some(tile) = tiles.get(index as usize) else { return false };
-        let Some(baked) = tile_bytes::read(tile, self.parts.size.azimuths, self.parts.detail, bytes) else {
+        let format = match &self.parts.angles {
+            Angles::Float16(_) => AngleFormat::Float16,
+            _ => AngleFormat::Unorm8,
+        };
+        let Some(baked) = tile_bytes::read(tile, format, self.parts.size.azimuths, self.parts.detail, bytes) else {
             return false;
         };
         if !std::mem::replace(&mut self.is_done[index as usize], true) {
@@ -348,7 +352,7 @@ impl Target {
                 let share = baked.angles[azimuth as usize * texels + index as usize];
                 let sample = size.sample(block.page, azimuth, x, y);
                 match &mut parts.angles {
-                    Angles::Unorm8(values) => values[sample] = (share.clamp(0.0, 1.0) * 255.0).round() as u8,
+                    Angles::Unorm8(values) => values[sample] = tile_bytes::to_unorm8(share),
                     Angles::Float16(values) => values[sample] = f16::from_f32(share),
                     Angles::Terms(_) => {}
                 }

@@ -1,7 +1,8 @@
 //! [`Correspondence`]: the object's colour and normal that a hull point is drawn with (sections 3.1 and 3.2, the point q of p).
 //!
-//! q is where the ray from p along the hull's inward normal, interpolated between vertices, first meets the object. Where it misses,
-//! q is where the ray along the lobe's centre does; where that misses too, p is drawn with the hull's normal and in white.
+//! q is where the ray from p along the hull's inward normal, interpolated between vertices, first meets the object. Where it misses
+//! or goes farther than [`MOST_DETOUR`] times the distance to the nearest point of the object, as it does past a thin part, q is
+//! that nearest point.
 //!
 //! Normals of the object are interpolated between corners. The normal at a corner is the mean of those of the faces around the
 //! vertex, weighted by their angles, among faces that meet the corner's own at less than the crease angle: sharp edges stay sharp.
@@ -10,7 +11,7 @@ use crate::centers::{angle_at, normals};
 use crate::hull::Hull;
 use glam::{DVec3, Vec3};
 use silhouette_core::{FaceId, TriangleMesh, glam};
-use silhouette_rays::ray::{Hit, RayCaster};
+use silhouette_rays::{MeshHierarchy, RayCaster};
 
 /// Colour of the object at a point, given by a face and the weights of its corners: sRGB and alpha.
 pub type ColorAt<'a> = dyn Fn(FaceId, Vec3) -> [u8; 4] + Sync + 'a;
@@ -18,9 +19,14 @@ pub type ColorAt<'a> = dyn Fn(FaceId, Vec3) -> [u8; 4] + Sync + 'a;
 /// The colour of objects without one.
 pub const WHITE: [u8; 4] = [255; 4];
 
+/// How much farther than the nearest point q may lie. A ray at 75 degrees to a plane goes about 4 times as far as its foot.
+pub const MOST_DETOUR: f64 = 4.0;
+
 /// What of the object is drawn at points of the hull.
 pub struct Correspondence<'a> {
-    object: &'a RayCaster,
+    mesh: &'a TriangleMesh,
+    rays: &'a RayCaster,
+    distances: MeshHierarchy,
     /// Normals of the object, per corner.
     corners: Vec<[Vec3; 3]>,
     /// Normals of the hull, per vertex.
@@ -29,31 +35,50 @@ pub struct Correspondence<'a> {
 }
 
 impl<'a> Correspondence<'a> {
-    /// Prepares the normals of both meshes. O(F d) for vertex degree d.
+    /// Prepares the normals of both meshes, and a hierarchy for distances. Expected O(F log F).
     pub fn new(
-        mesh: &TriangleMesh,
-        object: &'a RayCaster,
+        mesh: &'a TriangleMesh,
+        rays: &'a RayCaster,
         hull: &Hull,
         crease_deg: f64,
         colors: Option<&'a ColorAt<'a>>,
     ) -> Self {
-        Self { object, corners: corner_normals(mesh, crease_deg), hull: normals(hull.mesh()), colors }
+        let (corners, hull) = (corner_normals(mesh, crease_deg), normals(hull.mesh()));
+        Self { mesh, rays, distances: MeshHierarchy::new(mesh), corners, hull, colors }
     }
 
-    /// Colour and unit normal at a point of the hull: its position, the hull's vertices around it with their weights, and the
-    /// centre of its lobe. Expected O(log F).
-    pub fn at(&self, position: DVec3, vertices: [u32; 3], weights: Vec3, center: Vec3) -> ([u8; 4], Vec3) {
+    /// Colour and unit normal at a point of the hull: its position, and the hull's vertices around it with their weights. Expected
+    /// O(log F).
+    pub fn at(&self, position: DVec3, vertices: [u32; 3], weights: Vec3) -> ([u8; 4], Vec3) {
         let outward: Vec3 = (0..3).map(|at| weights[at] * self.hull[vertices[at] as usize]).sum();
-        let outward = outward.try_normalize().unwrap_or(-center);
-        let meet = |direction| self.object.first(position, direction, f64::INFINITY);
-        let Some(hit) = meet(-outward).or_else(|| meet(center)) else { return (WHITE, outward) };
-        (self.colors.map_or(WHITE, |color| color(hit.face, hit.weights)), self.normal(&hit).unwrap_or(outward))
+        let outward = outward.try_normalize().unwrap_or(Vec3::Z);
+        let Some((face, weights)) = self.corresponding(position, -outward) else { return (WHITE, outward) };
+        let [a, b, c] = self.corners[face.index()];
+        let normal = (weights.x * a + weights.y * b + weights.z * c).try_normalize();
+        (self.colors.map_or(WHITE, |color| color(face, weights)), normal.unwrap_or(outward))
     }
 
-    fn normal(&self, hit: &Hit) -> Option<Vec3> {
-        let [a, b, c] = self.corners[hit.face.index()];
-        (hit.weights.x * a + hit.weights.y * b + hit.weights.z * c).try_normalize()
+    /// The point q: a face of the object and weights of its corners.
+    fn corresponding(&self, position: DVec3, inward: Vec3) -> Option<(FaceId, Vec3)> {
+        let nearest = self.distances.nearest(position, f64::INFINITY)?;
+        let hit = self.rays.first(position, inward, nearest.distance * MOST_DETOUR);
+        Some(hit.map_or_else(
+            || (nearest.face, weights_at(self.mesh.corners(nearest.face), nearest.place)),
+            |hit| (hit.face, hit.weights),
+        ))
     }
+}
+
+/// The weights of a triangle's corners at a point of it; those of its first corner where it has no area.
+fn weights_at(corners: [Vec3; 3], point: DVec3) -> Vec3 {
+    let [a, b, c] = corners.map(Vec3::as_dvec3);
+    let normal = (b - a).cross(c - a);
+    let area = normal.length_squared();
+    if area <= 0.0 {
+        return Vec3::X;
+    }
+    let share = |from: DVec3, to: DVec3| ((to - from).cross(point - from).dot(normal) / area).clamp(0.0, 1.0);
+    DVec3::new(share(b, c), share(c, a), share(a, b)).as_vec3()
 }
 
 /// Unit normals at the corners of faces, smooth across edges below the crease angle.

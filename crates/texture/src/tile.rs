@@ -193,7 +193,7 @@ impl Tile {
         baked.angles = angles;
         baked.gaps = grazed.iter().map(|&(sum, count)| if count > 0 { sum / count as f32 } else { 0.0 }).collect();
         baked.centers = texels.iter().map(|texel| halves(texel.frame.center)).collect();
-        self.bake_details(source, block, &texels, &mut baked);
+        self.bake_details(source, block, &mut baked);
         baked
     }
 
@@ -256,7 +256,7 @@ impl Tile {
         }
     }
 
-    fn bake_details(&self, source: &Source<'_>, block: &Block, texels: &[Texel], baked: &mut Baked) {
+    fn bake_details(&self, source: &Source<'_>, block: &Block, baked: &mut Baked) {
         let detail = source.detail;
         let (width, height) = (self.width * detail, self.height * detail);
         let offset = |start: u32, at: u32| f64::from(start) - 0.5 + (f64::from(at) + 0.5) / f64::from(detail);
@@ -264,9 +264,8 @@ impl Tile {
             for x in 0..width {
                 let place = source.atlas.point(block, offset(self.x, x), offset(self.y, y));
                 let position = source.visibility.point(place.face, place.weights).position;
-                let center = texels[self.index(x / detail, y / detail)].frame.center;
                 let vertices = source.triangles[place.face.index()];
-                let (color, normal) = source.correspondence.at(position, vertices, place.weights, center);
+                let (color, normal) = source.correspondence.at(position, vertices, place.weights);
                 baked.colors.push(color);
                 baked.normals.push(halves(normal));
             }

@@ -1,22 +1,38 @@
-//! What is baked for a tile as bytes, for a checkpoint. Little-endian; lengths follow from the tile.
+//! What is baked for a tile as bytes, for a checkpoint. Little-endian; lengths follow from the tile. Angles are stored as in the
+//! texture.
 
+use crate::bake::AngleFormat;
 use crate::tile::{Baked, Tile};
 use half::f16;
 
+/// The share of pi that 8 bits stand for.
+pub fn of_unorm8(byte: u8) -> f32 {
+    f32::from(byte) / 255.0
+}
+
+/// The 8 bits nearest to a share of pi.
+pub fn to_unorm8(share: f32) -> u8 {
+    (share.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
 /// The bytes of a tile.
-pub fn write(baked: &Baked) -> Vec<u8> {
+pub fn write(baked: &Baked, format: AngleFormat) -> Vec<u8> {
     let mut bytes = Vec::new();
     for count in [baked.rays, baked.scans, baked.hidden_centers] {
         bytes.extend(count.to_le_bytes());
     }
-    baked.angles.iter().chain(&baked.gaps).for_each(|value| bytes.extend(value.to_le_bytes()));
+    match format {
+        AngleFormat::Unorm8 => bytes.extend(baked.angles.iter().map(|&share| to_unorm8(share))),
+        AngleFormat::Float16 => bytes.extend(baked.angles.iter().flat_map(|&share| f16::from_f32(share).to_le_bytes())),
+    }
+    baked.gaps.iter().for_each(|gap| bytes.extend(gap.to_le_bytes()));
     baked.centers.iter().chain(&baked.normals).flatten().for_each(|value| bytes.extend(value.to_le_bytes()));
     baked.colors.iter().for_each(|color| bytes.extend(color));
     bytes
 }
 
 /// The tile of some bytes; `None` if there are more or fewer than the tile has.
-pub fn read(tile: &Tile, azimuths: u32, detail: u32, bytes: &[u8]) -> Option<Baked> {
+pub fn read(tile: &Tile, format: AngleFormat, azimuths: u32, detail: u32, bytes: &[u8]) -> Option<Baked> {
     let texels = (tile.width * tile.height) as usize;
     let (angles, details) = (texels * azimuths as usize, texels * (detail * detail) as usize);
     let mut rest = bytes;
@@ -37,7 +53,12 @@ pub fn read(tile: &Tile, azimuths: u32, detail: u32, bytes: &[u8]) -> Option<Bak
         rays: count(0)?,
         scans: count(1)?,
         hidden_centers: count(2)?,
-        angles: floats(take(angles * 4)?),
+        angles: match format {
+            AngleFormat::Unorm8 => take(angles)?.iter().map(|&byte| of_unorm8(byte)).collect(),
+            AngleFormat::Float16 => {
+                take(angles * 2)?.as_chunks().0.iter().map(|&chunk| f16::from_le_bytes(chunk).to_f32()).collect()
+            }
+        },
         gaps: floats(take(texels * 4)?),
         centers: quads(take(texels * 8)?),
         normals: quads(take(details * 8)?),

@@ -1,3 +1,5 @@
 //! What is baked, against closed forms and brute force.
 
+mod atlas;
 mod closed_forms;
+mod resume;

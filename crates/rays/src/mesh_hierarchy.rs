@@ -1,0 +1,38 @@
+//! [`MeshHierarchy`]: a hierarchy over the faces of a mesh, which `distance.rs` and `segment.rs` ask.
+
+use crate::hierarchy::{Boxed, build};
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::{Bvh2, node::Bvh2Node};
+use silhouette_core::glam::Vec3;
+use silhouette_core::{FaceId, TriangleMesh};
+use std::ops::Range;
+
+/// A hierarchy of boxes over the faces of a mesh, with copies of their corners.
+///
+/// Boxes are those of the 32-bit corners, to the last bit. 60 bytes per face and 48 per node, of which there are up to 2 per
+/// face.
+pub struct MeshHierarchy {
+    pub(crate) bvh: Bvh2,
+    /// In the order of leaves.
+    pub(crate) faces: Vec<FaceId>,
+    pub(crate) corners: Vec<[Vec3; 3]>,
+}
+
+impl MeshHierarchy {
+    /// The hierarchy of a mesh. Expected O(F log F), parallel.
+    pub fn new(mesh: &TriangleMesh) -> Self {
+        let boxed = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|vertex| mesh.positions()[vertex as usize]);
+            Boxed(Aabb::new(a.min(b).min(c).into(), a.max(b).max(c).into()))
+        };
+        let bvh = build(&mesh.triangles().iter().map(boxed).collect::<Vec<_>>());
+        let faces: Vec<FaceId> = bvh.primitive_indices.iter().map(|&index| FaceId::new(index)).collect();
+        let corners = faces.iter().map(|&face| mesh.corners(face)).collect();
+        Self { bvh, faces, corners }
+    }
+
+    /// Where a leaf's faces lie; `None` for an inner node, whose children are `first_index` and the next.
+    pub(crate) fn places(node: &Bvh2Node) -> Option<Range<usize>> {
+        (node.prim_count > 0).then(|| node.first_index as usize..(node.first_index + node.prim_count) as usize)
+    }
+}
