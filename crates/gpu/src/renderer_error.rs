@@ -25,6 +25,12 @@ pub enum RendererError {
         /// What to do instead, as a clause.
         instead: &'static str,
     },
+    /// Pipelines were made for what is stored in another form.
+    #[error("the pipelines were made for {what} of another form; make them for the form of this one")]
+    OtherForm {
+        /// What the renderer draws, in the plural.
+        what: &'static str,
+    },
     /// The options need a feature that the device was made without.
     #[error("{what} needs the adapter feature {feature}, which this device lacks; {instead}")]
     MissingFeature {

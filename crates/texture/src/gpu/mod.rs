@@ -27,6 +27,6 @@ mod volume;
 mod tests;
 
 pub use pipelines::TexturePipelines;
-pub use renderer::{FormMismatch, TextureRenderer};
+pub use renderer::TextureRenderer;
 pub use style::{Drawing, Edge, OutlineStyle, OutlineWidth, Shading, TextureStyle};
 pub use volume::{Filtering, TextureVolume, VolumeForm};

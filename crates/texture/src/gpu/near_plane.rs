@@ -12,7 +12,8 @@ use std::f64::consts::TAU;
 /// wherever the eye is. O(1) for views whose near plane is clear of the bounds, O(F) for others; allocates nothing.
 pub(super) fn meets_hull(hull: &TriangleMesh, bounds: &Bounds, view: &FrameView) -> bool {
     let near = view.depth_law().range().near;
-    if view.depth(bounds.center) - bounds.radius * view.largest_scale() > near {
+    // The largest scale is known to a fraction of a percent.
+    if view.depth(bounds.center) - 1.01 * bounds.radius * view.largest_scale() > near {
         return false;
     }
     let to_clip = view.object_to_clip();
@@ -99,6 +100,17 @@ mod tests {
         assert!(!meets(&view(narrow, Vec3::new(1.3, 0.0, 0.5), 0.5)), "beside it, in the bounds' depths");
         assert!(!meets(&view(flat, Vec3::new(1.6, 0.0, 0.5), 0.5)), "the same in parallel");
         assert!(meets(&view(flat, Vec3::new(1.4, 0.0, 0.5), 0.5)), "the window reaches in");
+    }
+
+    #[test]
+    fn frames_allocate_nothing() {
+        let hull = builtin("icosphere:3");
+        let bounds = hull.bounds().unwrap();
+        let wide = Projection::Perspective { fov_y_rad: 1.2 };
+        for distance in [3.0, 1.5] {
+            let view = view(wide, Vec3::new(0.0, 0.0, distance), 0.5);
+            assert_eq!(allocation_counter::measure(|| _ = meets_hull(&hull, &bounds, &view)).count_total, 0);
+        }
     }
 
     #[test]

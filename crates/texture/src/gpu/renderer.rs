@@ -13,13 +13,6 @@ use silhouette_gpu::{
 };
 use std::sync::Arc;
 
-/// A volume is not of the form that pipelines were made for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the pipelines were made for silhouette textures of another form; make them with `TextureVolume::form` of this one"
-)]
-pub struct FormMismatch;
-
 /// Draws one instance of a silhouette texture.
 ///
 /// A frame uploads 400 bytes, allocates nothing on the device and reads nothing back. Where the near plane meets the hull the
@@ -47,15 +40,15 @@ impl TextureRenderer {
     /// A renderer of one instance. `mesh` is the fine mesh, for views from inside the hull.
     ///
     /// # Errors
-    /// [`FormMismatch`].
+    /// [`RendererError::OtherForm`]: the pipelines were not made for the volume's [form](TextureVolume::form).
     pub fn new(
         device: &wgpu::Device,
         pipelines: &Arc<TexturePipelines>,
         volume: &Arc<TextureVolume>,
         mesh: Option<&Arc<MeshBuffers>>,
-    ) -> Result<Self, FormMismatch> {
+    ) -> Result<Self, RendererError> {
         if pipelines.form != volume.form() {
-            return Err(FormMismatch);
+            return Err(RendererError::OtherForm { what: "silhouette textures" });
         }
         let hull = UniformBlock::new(device, "hull uniform");
         let hull_group = bind_group(device, "silhouette texture: hull", &pipelines.hull_layout, &[hull.binding()]);

@@ -49,7 +49,6 @@ impl MethodPipelines {
         mesh: &Arc<MeshBuffers>,
     ) -> Result<TextureRenderer, RendererError> {
         let volume = self.volume(device, queue)?;
-        let renderer = TextureRenderer::new(device, &self.pipelines, volume, Some(mesh));
-        Ok(renderer.expect("the pipelines were made for the form of this texture"))
+        TextureRenderer::new(device, &self.pipelines, volume, Some(mesh))
     }
 }

@@ -52,7 +52,6 @@ fn the_outline_of_a_ball_is_where_it_should_be() {
             let scene = Scene { pages, has_texel_centers, ..Scene::new(ECCENTRIC, 2).seen_by(&shot) };
             let picture = draw(gpu, &scene, &shot, flat(), Filtering::Native);
             let (worst, drawn) = worst_px(&picture, &shot, &ECCENTRIC);
-            println!("{name}, {pages} pages: {worst:.3} px, {drawn} drawn");
             assert!(worst < 0.05 && drawn > 1000, "{name}, {pages} pages: {worst} px, {drawn} drawn");
         }
     }
@@ -66,7 +65,6 @@ fn azimuths_as_printed_turn_lobes() {
         let style = TextureStyle { azimuths, ..flat() };
         worst_px(&draw(gpu, &scene, &PLAIN, style, Filtering::Native), &PLAIN, &ECCENTRIC).0
     });
-    println!("aligned {aligned}, printed {printed}");
     assert!(aligned < 0.1 && printed > 10.0 * aligned, "{aligned} {printed}");
 }
 
@@ -103,7 +101,6 @@ fn all_forms_draw_the_same_outline() {
         for filtering in [Filtering::Native, Filtering::Float16, Filtering::Manual] {
             let scene = Scene { stored, pages: 2, ..Scene::new(ECCENTRIC, 2) };
             let (worst, _) = worst_px(&draw(gpu, &scene, &PLAIN, flat(), filtering), &PLAIN, &ECCENTRIC);
-            println!("{stored:?} {filtering:?}: {worst:.3} px");
             assert!(worst < 1.0, "{stored:?} {filtering:?}: {worst}");
         }
     }

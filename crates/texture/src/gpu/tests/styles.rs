@@ -2,7 +2,7 @@
 
 use super::scene::{Ball, ECCENTRIC, PLAIN, Scene, Shot, outside_px};
 use super::{flat, renderer, volume};
-use crate::gpu::{Drawing, Edge, Filtering, FormMismatch, Shading, TexturePipelines, TextureRenderer, TextureStyle};
+use crate::gpu::{Drawing, Edge, Filtering, Shading, TexturePipelines, TextureRenderer, TextureStyle};
 use glam::{DMat4, DVec3};
 use silhouette_core::glam;
 use silhouette_gpu::{FrameRenderer, RendererError};
@@ -114,7 +114,7 @@ fn what_does_not_fit_is_refused() {
     let manual = volume(gpu, &texture, Filtering::Manual);
     let pipelines = Arc::new(TexturePipelines::new(gpu.device(), PLAIN.formats(), flat(), native.form()));
     let refused = TextureRenderer::new(gpu.device(), &pipelines, &manual, None).err();
-    assert_eq!(refused, Some(FormMismatch));
+    assert_eq!(refused, Some(RendererError::OtherForm { what: "silhouette textures" }));
     let limits = wgpu::Limits { max_texture_dimension_3d: 40, ..gpu.device().limits() };
     let error = super::super::volume::check_sides(&limits, &texture).unwrap_err();
     assert!(matches!(error, RendererError::TextureTooLarge { limit: 40, .. }));
@@ -133,6 +133,15 @@ fn near_views_show_the_fine_mesh() {
     let mesh = Arc::new(silhouette_gpu::MeshBuffers::new(gpu.device(), gpu.queue(), &fine).unwrap());
     let style = TextureStyle::new(Drawing::Surface(Shading::Lit));
     let pipelines = Arc::new(TexturePipelines::new(gpu.device(), PLAIN.formats(), style, volume.form()));
+    // A camera's depths for the fine mesh are widened to hold the hull.
+    let camera = silhouette_testing::views::three_quarter(&fine, silhouette_testing::views::PERSPECTIVE, [64, 64]);
+    let small = camera.clip_range(&silhouette_core::mesh::Bounds { radius: 0.1, ..fine.bounds().unwrap() });
+    let mut wide = TextureRenderer::new(gpu.device(), &pipelines, &volume, Some(&mesh)).unwrap();
+    for (range, is_near) in [(small, true), (wide.clip_range(&camera, small), false)] {
+        let view = silhouette_gpu::FrameView::from_camera(&camera, range, PLAIN.direction).unwrap();
+        wide.prepare(gpu.device(), gpu.queue(), &view).unwrap();
+        assert_eq!(wide.is_near(), is_near);
+    }
     // Towards the eye, until the near plane cuts the hull. The fine mesh is scaled to lie within.
     let toward = DMat4::from_translation(DVec3::new(1.0, 1.7, 2.9) * 0.7);
     for (model, is_near) in [(DMat4::IDENTITY, false), (toward, true)] {

@@ -63,7 +63,6 @@ fn the_gpu_draws_what_its_twin_shows() {
                     worst = worst.max(margin.abs());
                 }
             }
-            println!("{stored:?} {filtering:?} {pages} pages: {worst:.2e} rad");
             assert!(worst <= band, "{stored:?} {filtering:?} {pages} pages: {worst} rad");
         }
     }
