@@ -51,7 +51,7 @@ pub use picture::Picture;
 pub use table::{Cell, Column, Comparable, Range, Row, Table};
 
 /// Every paper, in the order of publication. To add one, add a line.
-pub static ALL: [&Paper; 3] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER, &wang_2008::PAPER];
+pub static ALL: [&Paper; 4] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER, &wu_2006::PAPER, &wang_2008::PAPER];
 
 /// The paper of this [name](Paper::name).
 pub fn find(name: &str) -> Option<&'static Paper> {

@@ -85,8 +85,8 @@ impl Artefact for Textures {
 
 impl Textures {
     /// A texture that the caller has.
-    pub fn given(texture: SilhouetteTexture) -> Self {
-        Self { given: Some(Arc::new(texture)), made: Mutex::default() }
+    pub fn given(texture: impl Into<Arc<SilhouetteTexture>>) -> Self {
+        Self { given: Some(texture.into()), made: Mutex::default() }
     }
 
     /// The texture of `mesh` that was given, or else one baked as `choice` says. Of a mesh without faces, one without texels in

@@ -1,0 +1,102 @@
+//! Pictures of a baked subject, and what they score against the fine mesh.
+
+use crate::directions::spread;
+use crate::error::Cause;
+use silhouette_compare::drawing::{Drawing, FrameStyle, Ground};
+use silhouette_compare::metrics::{FilledPicture, PictureKind, measure_fill};
+use silhouette_compare::registry::Entry;
+use silhouette_compare::truth::fill::FillTruth;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::method::OptionValues;
+use silhouette_core::view::{Camera, Framing};
+use silhouette_core::{PreparedMesh, Progress, TriangleMesh};
+use silhouette_render::Gpu;
+use std::sync::Arc;
+
+/// Vertical field of view in radians: that of every comparison, as the paper names none.
+pub const FOV_Y_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// A picture of a method is as wide as it is high.
+pub const SIDE_PX: u32 = 512;
+
+/// The camera in a direction from the middle of a mesh, whose bounding sphere fits the picture.
+///
+/// # Errors
+/// [`Cause`]: no faces.
+pub fn camera(mesh: &TriangleMesh, direction: DVec3, side_px: u32) -> Result<Camera, Cause> {
+    let bounds = mesh.bounds().ok_or(Cause::EmptyMesh)?;
+    let up = if direction.normalize().y.abs() > 0.95 { Vec3::X } else { Vec3::Y };
+    Ok(Camera::framing(&bounds, direction, up, Framing::Perspective { fov_y_rad: FOV_Y_RAD }, [side_px; 2])?)
+}
+
+/// A method that draws a mesh, with options as words.
+///
+/// # Errors
+/// [`Cause`]: options that do not fit, or a device that failed.
+pub fn drawing(
+    gpu: &Gpu,
+    mesh: &Arc<PreparedMesh>,
+    entry: &Entry,
+    words: &str,
+    samples: u32,
+    ground: Ground,
+    progress: &dyn Progress,
+) -> Result<Drawing, Cause> {
+    let options = OptionValues::parse(entry.info().options, words.split_whitespace())?;
+    let prepared = entry.prepare(mesh, &options, progress)?;
+    let kind = if entry.capabilities().fill { PictureKind::Fill } else { PictureKind::Lines };
+    let style = FrameStyle { size: [SIDE_PX; 2], pen_width_px: 1.0, samples, ground };
+    Ok(Drawing::new(gpu, mesh, prepared, kind, style)?)
+}
+
+/// What an outline scores, averaged over views.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Outline {
+    /// Area covered by one of drawing and fine mesh but not by the other, of that of the fine mesh.
+    pub xor: f64,
+    /// Mean distance between both outlines in pixels.
+    pub chamfer_px: f64,
+    /// Pixels without colour inside of the fine mesh, of its area.
+    pub holes: f64,
+}
+
+/// Truths of a mesh from sides that are spread evenly.
+pub struct Views {
+    views: Vec<(Camera, FilledPicture, f64)>,
+}
+
+impl Views {
+    /// Draws the fine mesh from `count` sides at 16 samples per pixel.
+    ///
+    /// # Errors
+    /// [`Cause`]: cancelled, or a device that failed.
+    pub fn new(gpu: &Gpu, fine: &TriangleMesh, count: u32, progress: &dyn Progress) -> Result<Self, Cause> {
+        let mut truth = FillTruth::new(gpu, fine)?;
+        let view = |direction| -> Result<_, Cause> {
+            progress.check()?;
+            let camera = camera(fine, direction, SIDE_PX)?;
+            let picture = truth.find(gpu, &camera)?;
+            let area = picture.coverage().coverages().iter().map(|&coverage| f64::from(coverage)).sum();
+            Ok((camera, picture, area))
+        };
+        Ok(Self { views: spread(count).map(view).collect::<Result<_, _>>()? })
+    }
+
+    /// Scores what a method draws.
+    ///
+    /// # Errors
+    /// [`Cause`]: cancelled, or a device that failed.
+    pub fn score(&self, gpu: &Gpu, drawing: &mut Drawing, progress: &dyn Progress) -> Result<Outline, Cause> {
+        let mut sum = Outline::default();
+        for (camera, truth, area) in &self.views {
+            progress.check()?;
+            drawing.draw(gpu, camera)?;
+            let metrics = measure_fill(&FilledPicture::new(drawing.picture(gpu)?), truth);
+            sum.xor += metrics.xor_share;
+            sum.chamfer_px += metrics.boundary_chamfer_px;
+            sum.holes += metrics.hole_pixels / area;
+        }
+        let count = self.views.len() as f64;
+        Ok(Outline { xor: sum.xor / count, chamfer_px: sum.chamfer_px / count, holes: sum.holes / count })
+    }
+}
