@@ -11,6 +11,8 @@
 //! holes are narrow: `caps.rs`.
 
 #[cfg(feature = "simplify")]
+mod box_grid;
+#[cfg(feature = "simplify")]
 mod caps;
 #[cfg(feature = "simplify")]
 mod coarsen;
