@@ -27,8 +27,8 @@ const FIRST_OFFSET: f64 = 1.0 / 16.0;
 /// What the estimate of the smallest offset is multiplied by, so that its surface stays below the limit.
 const FEWER_FACES: f64 = 1.05;
 
-/// With how many times the wanted vertices, or 500 if that is more, unchecked collapses leave a surface; tried in turn.
-const TIMES: [usize; 3] = [2, 4, 16];
+/// With how many times the wanted vertices, or 500 if that is more, unchecked collapses leave a surface, in turn.
+const TIMES: [usize; 3] = [16, 4, 2];
 
 /// What [`Hull::enclosing`] is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -131,44 +131,34 @@ impl Search<'_> {
         self.shaping.as_ref().unwrap_or(self.object.hierarchy())
     }
 
-    /// How many vertices unchecked collapses leave.
-    fn unchecked(&self, times: usize) -> usize {
-        self.vertices.max(500).saturating_mul(times)
-    }
-
     fn attempt(&self, share: f64) -> Result<Result<Found, Failure>, HullError> {
         self.progress.check()?;
         let offset = share * self.bounds.radius;
         let surface = offset_surface(self.shaping(), &self.bounds, offset, self.most_faces);
         let Ok(surface) = surface else { return Ok(Err(Failure::Unsupported)) };
-        let mut result = Err(Failure::Unsupported);
-        for times in TIMES {
-            self.progress.check()?;
-            result = self.hull_of(&surface, times, share)?;
-            if result.is_ok() || surface.vertex_count() <= self.unchecked(times) {
-                break;
-            }
-        }
+        let result = self.hull_of(surface, share)?;
         self.progress.advance(1);
         Ok(result)
     }
 
-    /// The hull that a surface becomes: down to `times` the wanted vertices unchecked, then by checked collapses.
-    fn hull_of(&self, surface: &TriangleMesh, times: usize, share: f64) -> Result<Result<Found, Failure>, Cancelled> {
-        let coarse = match coarsened(surface, self.unchecked(times)) {
-            Ok(coarse) => coarse,
-            Err(vertices) => return Ok(Err(Failure::Vertices(vertices))),
-        };
-        if let Some(offence) = self.object.by(&coarse).first {
-            return Ok(Err(Failure::Offence(offence)));
+    /// The hull that a surface becomes: by unchecked collapses as far as they leave a hull, then by checked ones.
+    fn hull_of(&self, mut hull: TriangleMesh, share: f64) -> Result<Result<Found, Failure>, Cancelled> {
+        let faces = hull.face_count();
+        for times in TIMES {
+            self.progress.check()?;
+            let vertices = self.vertices.max(500).saturating_mul(times);
+            match coarsened(&hull, vertices) {
+                Ok(coarse) if self.object.by(&coarse).is_proved() => hull = coarse,
+                _ => break,
+            }
         }
-        let hull = collapsed(&coarse, self.shaping(), self.vertices, self.progress)?;
+        let hull = collapsed(&hull, self.shaping(), self.vertices, self.progress)?;
         if hull.vertex_count() > self.vertices {
             return Ok(Err(Failure::Vertices(hull.vertex_count())));
         }
         let enclosure = self.object.by(&hull);
         Ok(match enclosure.first {
-            None => Ok(Found { hull, enclosure, share, faces: surface.face_count() }),
+            None => Ok(Found { hull, enclosure, share, faces }),
             Some(offence) => Err(Failure::Offence(offence)),
         })
     }

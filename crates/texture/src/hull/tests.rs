@@ -124,8 +124,8 @@ fn assert_encloses(name: &str, object: &TriangleMesh, hull: &Hull, vertices: usi
 #[test]
 fn every_shape_has_a_hull() {
     for (name, mesh) in zoo::all() {
-        let hull = enclosing(&mesh, 200).unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert_encloses(name, &mesh, &hull, 200);
+        let hull = enclosing(&mesh, 100).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_encloses(name, &mesh, &hull, 100);
     }
 }
 
@@ -235,7 +235,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn any_triangles_have_a_hull(mesh in soup(8), vertices in 40_usize..120) {
