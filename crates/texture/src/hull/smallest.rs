@@ -55,7 +55,7 @@ impl Hull {
     /// The hull of at most so many vertices that is closest to an object: a simplified offset surface, of the smallest offset
     /// for which it encloses the object.
     ///
-    /// From [`FIRST_OFFSET`] on the offset is halved while the hull holds, or doubled until it does, between [`LEAST_OFFSET`]
+    /// From a sixteenth of the radius on, the offset is halved while the hull holds, or doubled until it does, between [`LEAST_OFFSET`]
     /// and [`MOST_OFFSET`] times the radius of the object's bounding sphere, and then bisected in logarithmic scale to within
     /// [`PRECISION`]. It is also left where a smaller one would take a surface of more faces than the options allow. A smaller
     /// offset can hold by chance where a larger one fails; so it is the border that bisection meets. The same bits for any number
