@@ -1,13 +1,19 @@
 //! [`Hull`]: the coarse mesh around the object, which is drawn in its place.
 //!
 //! 1. [`offset_surface`]: the surface at a distance from the object.
-//! 2. `coarsen.rs`: its simplification to few vertices (cargo feature `simplify`).
+//! 2. `coarsen.rs`: its simplification to some times the wanted vertices (cargo feature `simplify`), and `collapse.rs`: the last
+//!    collapses, each checked against the object and the hull itself. The paper simplifies without checks.
 //! 3. [`enclosure`]: the proof that the result encloses the object.
 //! 4. `smallest.rs`: the smallest offset for which the proof succeeds.
 //!
 //! One hull serves the whole object, open or closed, of one or several components: parts closer than twice the offset share a
-//! component of the hull, others have one each. An open surface is enclosed from both sides.
+//! component of the hull, others have one each. An open surface is enclosed from both sides, or as if it were closed where its
+//! holes are narrow: `caps.rs`.
 
+#[cfg(feature = "simplify")]
+mod box_grid;
+#[cfg(feature = "simplify")]
+mod caps;
 #[cfg(feature = "simplify")]
 mod coarsen;
 #[cfg(feature = "simplify")]
@@ -21,6 +27,8 @@ mod quadric;
 mod self_contact;
 #[cfg(feature = "simplify")]
 mod smallest;
+#[cfg(all(test, feature = "simplify"))]
+mod tests;
 mod touching;
 mod winding_number;
 

@@ -2,9 +2,10 @@
 //!
 //! `meshopt` collapses without regard to either. At a coarse hull's faces, a few folds and faces that reach into the object are
 //! the rule, and one is enough to spoil it. So it is left with several times the vertices that are wanted, and edges are
-//! collapsed here from then on, in the order of their quadric error, with the vertex left at the best of four places. As the best
+//! collapsed here from then on, in the order of their quadric error, with the vertex left at the best of seven places. As the best
 //! place is mostly outside of a convex surface, this also keeps the hull from shrinking.
 
+use crate::hull::box_grid::{BoxGrid, box_of};
 use crate::hull::quadric::Quadric;
 use crate::hull::self_contact::meets;
 use crate::hull::touching::faces_touch;
@@ -19,14 +20,14 @@ use std::collections::BinaryHeap;
 const TURN: f64 = 0.3;
 
 /// A closed manifold with at most `vertices` vertices where checks permit, or more. The same bits for any number of threads.
-/// O(vertices²) box tests and O(vertices log F) tests of faces, for F faces of the object.
+/// Expected O(V log V + V log F) for V vertices of `hull` and F faces of the object.
 pub(super) fn collapsed(
     hull: &TriangleMesh,
     object: &MeshHierarchy,
     vertices: usize,
     progress: &dyn Progress,
 ) -> Result<TriangleMesh, Cancelled> {
-    let mut collapses = Collapses::new(hull, object);
+    let mut collapses = Collapses::new(hull, object, vertices);
     while collapses.left > vertices
         && let Some(candidate) = collapses.heap.pop()
     {
@@ -56,23 +57,15 @@ struct Collapses<'a> {
     /// Faces at each vertex; none once it is gone.
     faces_of: Vec<Vec<u32>>,
     triangles: Vec<[u32; 3]>,
-    /// Boxes of faces; empty once one is gone.
-    boxes: Vec<[Vec3; 2]>,
+    /// The boxes of faces that are left.
+    boxes: BoxGrid,
     heap: BinaryHeap<Reverse<Candidate>>,
     /// Vertices left.
     left: usize,
 }
 
-/// A box that meets none.
-const EMPTY: [Vec3; 2] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-
-fn box_of(corners: [Vec3; 3]) -> [Vec3; 2] {
-    let [a, b, c] = corners;
-    [a.min(b).min(c), a.max(b).max(c)]
-}
-
 impl<'a> Collapses<'a> {
-    fn new(hull: &TriangleMesh, object: &'a MeshHierarchy) -> Self {
+    fn new(hull: &TriangleMesh, object: &'a MeshHierarchy, vertices: usize) -> Self {
         let origin = hull.bounds().map_or(DVec3::ZERO, |bounds| bounds.center);
         let mut collapses = Self {
             object,
@@ -82,12 +75,13 @@ impl<'a> Collapses<'a> {
             versions: vec![0; hull.vertex_count()],
             faces_of: vec![Vec::new(); hull.vertex_count()],
             triangles: hull.triangles().to_vec(),
-            boxes: hull.triangles().iter().map(|t| box_of(t.map(|v| hull.positions()[v as usize]))).collect(),
+            boxes: BoxGrid::new(origin, cell(hull, vertices)),
             heap: BinaryHeap::new(),
             left: hull.vertex_count(),
         };
         for (face, triangle) in hull.triangles().iter().enumerate() {
             let quadric = Quadric::of_face(triangle.map(|vertex| collapses.place(vertex)));
+            collapses.boxes.set(face as u32, Some(box_of(collapses.corners(*triangle))));
             for &vertex in triangle {
                 collapses.faces_of[vertex as usize].push(face as u32);
                 collapses.quadrics[vertex as usize] = collapses.quadrics[vertex as usize].plus(&quadric);
@@ -119,11 +113,22 @@ impl<'a> Collapses<'a> {
         let length = ends[0].distance(ends[1]);
         let middle = ends[0].midpoint(ends[1]);
         let lowest = quadric.lowest().filter(|lowest| lowest.distance(middle) < 2.0 * length);
-        let all = lowest.into_iter().chain([middle, ends[0], ends[1]]);
+        let outward = self.outward(a) + self.outward(b);
+        let farther = [0.125, 0.25, 0.5].map(|share| middle + outward.normalize_or_zero() * (share * length));
+        let all = lowest.into_iter().chain([middle, ends[0], ends[1]]).chain(farther);
         let mut places: Vec<(f64, Vec3)> =
             all.map(|place| (quadric.at(place).max(0.0), (place + self.origin).as_vec3())).collect();
         places.sort_by(|one, other| one.0.total_cmp(&other.0));
         places
+    }
+
+    /// The sum of the normals of the faces at a vertex, weighted by their areas.
+    fn outward(&self, vertex: u32) -> DVec3 {
+        let across = |&face: &u32| {
+            let [a, b, c] = self.triangles[face as usize].map(|vertex| self.place(vertex));
+            (b - a).cross(c - a)
+        };
+        self.faces_of[vertex as usize].iter().map(across).sum()
     }
 
     fn push(&mut self, edge: [u32; 2]) {
@@ -192,13 +197,11 @@ impl<'a> Collapses<'a> {
 
     /// Other faces of the hull in the box around those of a ring.
     fn near(&self, ring: &Ring, new: &[[Vec3; 3]]) -> Vec<u32> {
-        let [min, max] = new.iter().fold(EMPTY, |all, &corners| {
-            let one = box_of(corners);
-            [all[0].min(one[0]), all[1].max(one[1])]
-        });
-        let meets = |of: &[Vec3; 2]| of[0].cmple(max).all() && min.cmple(of[1]).all();
-        let faces = (0..).zip(&self.boxes).filter(|(_, of)| meets(of)).map(|(face, _)| face);
-        faces.filter(|face| !ring.changed.contains(face) && !ring.gone.contains(face)).collect()
+        let boxes = new.iter().map(|&corners| box_of(corners));
+        let around = boxes.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])]);
+        let mut near = around.map(|around| self.boxes.meeting(around)).unwrap_or_default();
+        near.retain(|face| !ring.changed.contains(face) && !ring.gone.contains(face));
+        near
     }
 
     fn touches_object(&self, corners: [Vec3; 3]) -> bool {
@@ -213,7 +216,7 @@ impl<'a> Collapses<'a> {
 
     fn collapse(&mut self, [a, b]: [u32; 2], ring: &Ring, place: Vec3) {
         for &face in &ring.gone {
-            self.boxes[face as usize] = EMPTY;
+            self.boxes.set(face, None);
             for vertex in self.triangles[face as usize] {
                 self.faces_of[vertex as usize].retain(|&other| other != face);
             }
@@ -224,7 +227,7 @@ impl<'a> Collapses<'a> {
         self.faces_of[a as usize].clone_from(&ring.changed);
         for (&face, &triangle) in ring.changed.iter().zip(&ring.triangles) {
             self.triangles[face as usize] = triangle;
-            self.boxes[face as usize] = box_of(self.corners(triangle));
+            self.boxes.set(face, Some(box_of(self.corners(triangle))));
         }
         self.left -= 1;
         self.versions[b as usize] += 1;
@@ -245,10 +248,21 @@ impl<'a> Collapses<'a> {
             numbers[vertex] = positions.len() as u32;
             positions.push(self.positions[vertex]);
         }
-        let left = self.triangles.iter().zip(&self.boxes).filter(|(_, of)| **of != EMPTY);
-        let triangles = left.map(|(triangle, _)| triangle.map(|vertex| numbers[vertex as usize])).collect();
+        let left = (0..).zip(&self.triangles).filter(|&(face, _)| self.boxes.has(face));
+        let triangles = left.map(|(_, triangle)| triangle.map(|vertex| numbers[vertex as usize])).collect();
         TriangleMesh::new(positions, triangles).expect("places are finite, and faces left have vertices left")
     }
+}
+
+/// About the length of the edges of a hull with so many vertices.
+fn cell(hull: &TriangleMesh, vertices: usize) -> f64 {
+    let area = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| hull.positions()[vertex as usize].as_dvec3());
+        (b - a).cross(c - a).length() * 0.5
+    };
+    let cell = (hull.triangles().iter().map(area).sum::<f64>() / vertices as f64).sqrt();
+    // Flat as it may be, it has an extent.
+    cell.max(hull.bounds().map_or(1.0, |bounds| bounds.radius / 1e4))
 }
 
 /// Faces around an edge.

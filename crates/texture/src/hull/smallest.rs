@@ -1,5 +1,6 @@
 //! The smallest offset whose surface, simplified, encloses the object.
 
+use crate::hull::caps::capped;
 use crate::hull::coarsen::coarsened;
 use crate::hull::collapse::collapsed;
 use crate::hull::enclosure::{Enclosed, Enclosure};
@@ -7,6 +8,7 @@ use crate::hull::offset_surface::offset_surface;
 use crate::hull::{Failure, Hull, HullError};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::{Cancelled, Progress, TriangleMesh};
+use silhouette_rays::MeshHierarchy;
 use std::sync::Arc;
 
 /// Smallest offset tried, as a share of the radius of the object's bounding sphere.
@@ -22,20 +24,30 @@ pub const PRECISION: f64 = 1.05;
 /// First offset tried, as a share of the radius.
 const FIRST_OFFSET: f64 = 1.0 / 16.0;
 
-/// With how many times the wanted vertices a surface is left by unchecked collapses; tried in turn.
-const TIMES: [usize; 3] = [2, 4, 16];
+/// What the estimate of the smallest offset is multiplied by, so that its surface stays below the limit.
+const FEWER_FACES: f64 = 1.05;
+
+/// With how many times the wanted vertices, or 500 if that is more, unchecked collapses leave a surface, in turn.
+const TIMES: [usize; 3] = [16, 4, 2];
 
 /// What [`Hull::enclosing`] is asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HullOptions {
     /// Most vertices, at least 4.
     pub vertices: usize,
+    /// Holes of the object whose boxes have no longer side than this share of the radius of its bounding sphere are closed, as
+    /// far as the shape of the hull is concerned: otherwise it leads through them and covers the object's inside, too. 0
+    /// closes none.
+    pub closed_holes: f64,
+    /// Faces of the finest offset surface per wanted vertex, of which at least 100 count: no smaller offset
+    /// is tried. The hull comes closer with the inverse square root, and time is proportional.
+    pub faces_per_vertex: usize,
 }
 
 impl Default for HullOptions {
-    /// 500 vertices: what the paper uses for objects of some ten thousand.
+    /// 500 vertices: what the paper uses for objects of some ten thousand. Holes up to the radius are closed.
     fn default() -> Self {
-        Self { vertices: 500 }
+        Self { vertices: 500, closed_holes: 1.0, faces_per_vertex: 512 }
     }
 }
 
@@ -43,22 +55,26 @@ impl Hull {
     /// The hull of at most so many vertices that is closest to an object: a simplified offset surface, of the smallest offset
     /// for which it encloses the object.
     ///
-    /// From [`FIRST_OFFSET`] on the offset is halved while the hull holds, or doubled until it does, between [`LEAST_OFFSET`]
+    /// From a sixteenth of the radius on, the offset is halved while the hull holds, or doubled until it does, between [`LEAST_OFFSET`]
     /// and [`MOST_OFFSET`] times the radius of the object's bounding sphere, and then bisected in logarithmic scale to within
-    /// [`PRECISION`]. A smaller offset can hold by chance where a larger one fails; so it is the border that bisection meets.
-    /// The same bits for any number of threads. Some ten offset surfaces, simplifications and proofs.
+    /// [`PRECISION`]. It is also left where a smaller one would take a surface of more faces than the options allow. A smaller
+    /// offset can hold by chance where a larger one fails; so it is the border that bisection meets. The same bits for any number
+    /// of threads. Some three to ten offset surfaces, simplifications and proofs.
     ///
     /// # Errors
     /// [`HullError`].
     pub fn enclosing(object: &TriangleMesh, options: &HullOptions, progress: &dyn Progress) -> Result<Self, HullError> {
         let vertices = options.vertices;
+        let most_faces = vertices.max(100).saturating_mul(options.faces_per_vertex);
         if vertices < 4 {
             return Err(HullError::TooFewVertices(vertices));
         }
         let bounds = object.bounds().filter(|bounds| bounds.radius > 0.0).ok_or(HullError::NoExtent)?;
         progress.stage("hull", 0);
         progress.check()?;
-        let search = Search { object: Enclosed::new(object), bounds, vertices, progress };
+        let capped = capped(object, options.closed_holes * bounds.radius);
+        let shaping = capped.as_ref().map(MeshHierarchy::new);
+        let search = Search { object: Enclosed::new(object), bounds, vertices, most_faces, shaping, progress };
         search.run()
     }
 }
@@ -67,6 +83,10 @@ struct Search<'a> {
     object: Enclosed<'a>,
     bounds: Bounds,
     vertices: usize,
+    /// Most faces of an offset surface.
+    most_faces: usize,
+    /// The object with its holes closed, where it has some.
+    shaping: Option<MeshHierarchy>,
     progress: &'a dyn Progress,
 }
 
@@ -74,65 +94,71 @@ struct Found {
     hull: TriangleMesh,
     enclosure: Enclosure,
     share: f64,
+    /// Of the offset surface.
+    faces: usize,
 }
 
 impl Search<'_> {
     fn run(&self) -> Result<Hull, HullError> {
         let (mut fails, mut holds) = (None, None);
         let mut failure = Failure::Unsupported;
-        let mut share = FIRST_OFFSET;
+        let (mut share, mut least) = (FIRST_OFFSET, LEAST_OFFSET);
         while (LEAST_OFFSET..=MOST_OFFSET).contains(&share) {
             match self.attempt(share)? {
-                Ok(found) => holds = Some(found),
+                Ok(found) => {
+                    // The number of faces is inversely proportional to the square of the offset.
+                    least = least.max(share * (found.faces as f64 / self.most_faces as f64).sqrt() * FEWER_FACES);
+                    holds = Some(found);
+                }
                 Err(why) => (fails, failure) = (Some(share), why),
             }
             share = match (fails, &holds) {
                 (Some(fails), Some(holds)) if holds.share <= PRECISION * fails => break,
                 (Some(fails), Some(holds)) => (fails * holds.share).sqrt(),
                 (Some(fails), None) => fails * 2.0,
-                (None, Some(holds)) => holds.share / 2.0,
+                (None, Some(holds)) if holds.share <= PRECISION * least => break,
+                (None, Some(holds)) => least.max(holds.share / 2.0),
                 (None, None) => break,
             };
         }
         let out_of_reach = HullError::OutOfReach { vertices: self.vertices, failure };
-        let Found { hull, enclosure, share } = holds.ok_or(out_of_reach)?;
+        let Found { hull, enclosure, share, .. } = holds.ok_or(out_of_reach)?;
         Ok(Hull { mesh: Arc::new(hull), offset: Some(share * self.bounds.radius), enclosure: Some(enclosure) })
+    }
+
+    /// What offset surfaces and collapses keep away from.
+    fn shaping(&self) -> &MeshHierarchy {
+        self.shaping.as_ref().unwrap_or(self.object.hierarchy())
     }
 
     fn attempt(&self, share: f64) -> Result<Result<Found, Failure>, HullError> {
         self.progress.check()?;
         let offset = share * self.bounds.radius;
-        let Ok(surface) = offset_surface(self.object.hierarchy(), &self.bounds, offset) else {
-            return Ok(Err(Failure::Unsupported));
-        };
-        let mut result = Err(Failure::Unsupported);
-        for times in TIMES {
-            self.progress.check()?;
-            result = self.hull_of(&surface, times, share)?;
-            if result.is_ok() || surface.vertex_count() <= times * self.vertices {
-                break;
-            }
-        }
+        let surface = offset_surface(self.shaping(), &self.bounds, offset, self.most_faces);
+        let Ok(surface) = surface else { return Ok(Err(Failure::Unsupported)) };
+        let result = self.hull_of(surface, share)?;
         self.progress.advance(1);
         Ok(result)
     }
 
-    /// The hull that a surface becomes: down to `times` the wanted vertices unchecked, then by checked collapses.
-    fn hull_of(&self, surface: &TriangleMesh, times: usize, share: f64) -> Result<Result<Found, Failure>, Cancelled> {
-        let coarse = match coarsened(surface, times * self.vertices) {
-            Ok(coarse) => coarse,
-            Err(vertices) => return Ok(Err(Failure::Vertices(vertices))),
-        };
-        if let Some(offence) = self.object.by(&coarse).first {
-            return Ok(Err(Failure::Offence(offence)));
+    /// The hull that a surface becomes: by unchecked collapses as far as they leave a hull, then by checked ones.
+    fn hull_of(&self, mut hull: TriangleMesh, share: f64) -> Result<Result<Found, Failure>, Cancelled> {
+        let faces = hull.face_count();
+        for times in TIMES {
+            self.progress.check()?;
+            let vertices = self.vertices.max(500).saturating_mul(times);
+            match coarsened(&hull, vertices) {
+                Ok(coarse) if self.object.by(&coarse).is_proved() => hull = coarse,
+                _ => break,
+            }
         }
-        let hull = collapsed(&coarse, self.object.hierarchy(), self.vertices, self.progress)?;
+        let hull = collapsed(&hull, self.shaping(), self.vertices, self.progress)?;
         if hull.vertex_count() > self.vertices {
             return Ok(Err(Failure::Vertices(hull.vertex_count())));
         }
         let enclosure = self.object.by(&hull);
         Ok(match enclosure.first {
-            None => Ok(Found { hull, enclosure, share }),
+            None => Ok(Found { hull, enclosure, share, faces }),
             Some(offence) => Err(Failure::Offence(offence)),
         })
     }

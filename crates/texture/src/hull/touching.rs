@@ -21,6 +21,7 @@ pub fn touches([a, b]: [Vec3; 2], corners: [Vec3; 3]) -> bool {
 }
 
 /// Whether two triangles have a point in common: if so, an edge of one has one with the other. Exact. O(1).
+#[cfg(any(test, feature = "simplify"))]
 pub fn faces_touch(one: [Vec3; 3], other: [Vec3; 3]) -> bool {
     let sides = |[a, b, c]: [Vec3; 3]| [[a, b], [b, c], [c, a]];
     // Mostly, all corners lie on one side.
