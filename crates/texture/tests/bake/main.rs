@@ -2,4 +2,5 @@
 
 mod atlas;
 mod closed_forms;
+mod exact_rays;
 mod resume;
