@@ -10,10 +10,15 @@
 
 #[cfg(feature = "simplify")]
 mod coarsen;
+#[cfg(feature = "simplify")]
+mod collapse;
 pub mod enclosure;
 mod lattice;
 pub mod offset_surface;
 mod outside;
+#[cfg(feature = "simplify")]
+mod quadric;
+mod self_contact;
 #[cfg(feature = "simplify")]
 mod smallest;
 mod touching;

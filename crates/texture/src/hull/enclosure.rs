@@ -13,10 +13,10 @@
 //!
 //! Only the sign of a component's volume is taken from 64-bit sums.
 
-use crate::hull::touching::{touches, touches_beyond_corner};
+use crate::hull::self_contact::meets;
+use crate::hull::touching::touches;
 use crate::hull::winding_number::winding_number;
 use rayon::prelude::*;
-use silhouette_core::glam::Vec3;
 use silhouette_core::inspect::{Inspection, inspect};
 use silhouette_core::{DisjointSets, FaceId, Topology, TriangleMesh, VertexId};
 use silhouette_rays::MeshHierarchy;
@@ -261,17 +261,4 @@ fn self_contact(mesh: &TriangleMesh, hierarchy: &MeshHierarchy, edge: [u32; 2]) 
         }
     });
     lowest
-}
-
-/// Whether an edge touches a face of the same mesh elsewhere than in shared corners.
-fn meets(edge: [u32; 2], ends: [Vec3; 2], triangle: [u32; 3], corners: [Vec3; 3]) -> bool {
-    let slot_of = |vertex: u32| triangle.iter().position(|&corner| corner == vertex);
-    match edge.map(slot_of) {
-        [Some(_), Some(_)] => false,
-        [None, None] => touches(ends, corners),
-        [slot, other] => {
-            let (slot, end) = if let Some(slot) = slot { (slot, ends[1]) } else { (other.unwrap_or(0), ends[0]) };
-            touches_beyond_corner(end, [0, 1, 2].map(|step| corners[(slot + step) % 3]))
-        }
-    }
 }

@@ -1,11 +1,12 @@
 //! The smallest offset whose surface, simplified, encloses the object.
 
 use crate::hull::coarsen::coarsened;
+use crate::hull::collapse::collapsed;
 use crate::hull::enclosure::{Enclosed, Enclosure};
 use crate::hull::offset_surface::offset_surface;
 use crate::hull::{Failure, Hull, HullError};
 use silhouette_core::mesh::Bounds;
-use silhouette_core::{Progress, TriangleMesh};
+use silhouette_core::{Cancelled, Progress, TriangleMesh};
 use std::sync::Arc;
 
 /// Smallest offset tried, as a share of the radius of the object's bounding sphere.
@@ -20,6 +21,9 @@ pub const PRECISION: f64 = 1.05;
 
 /// First offset tried, as a share of the radius.
 const FIRST_OFFSET: f64 = 1.0 / 16.0;
+
+/// With how many times the wanted vertices a surface is left by unchecked collapses; tried in turn.
+const TIMES: [usize; 3] = [2, 4, 16];
 
 /// What [`Hull::enclosing`] is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,20 +101,39 @@ impl Search<'_> {
 
     fn attempt(&self, share: f64) -> Result<Result<Found, Failure>, HullError> {
         self.progress.check()?;
-        let tried = self.hull_at(share);
+        let offset = share * self.bounds.radius;
+        let Ok(surface) = offset_surface(self.object.hierarchy(), &self.bounds, offset) else {
+            return Ok(Err(Failure::Unsupported));
+        };
+        let mut result = Err(Failure::Unsupported);
+        for times in TIMES {
+            self.progress.check()?;
+            result = self.hull_of(&surface, times, share)?;
+            if result.is_ok() || surface.vertex_count() <= times * self.vertices {
+                break;
+            }
+        }
         self.progress.advance(1);
-        Ok(tried)
+        Ok(result)
     }
 
-    fn hull_at(&self, share: f64) -> Result<Found, Failure> {
-        let offset = share * self.bounds.radius;
-        let surface =
-            offset_surface(self.object.hierarchy(), &self.bounds, offset).map_err(|_| Failure::Unsupported)?;
-        let hull = coarsened(&surface, self.vertices).map_err(Failure::Vertices)?;
+    /// The hull that a surface becomes: down to `times` the wanted vertices unchecked, then by checked collapses.
+    fn hull_of(&self, surface: &TriangleMesh, times: usize, share: f64) -> Result<Result<Found, Failure>, Cancelled> {
+        let coarse = match coarsened(surface, times * self.vertices) {
+            Ok(coarse) => coarse,
+            Err(vertices) => return Ok(Err(Failure::Vertices(vertices))),
+        };
+        if let Some(offence) = self.object.by(&coarse).first {
+            return Ok(Err(Failure::Offence(offence)));
+        }
+        let hull = collapsed(&coarse, self.object.hierarchy(), self.vertices, self.progress)?;
+        if hull.vertex_count() > self.vertices {
+            return Ok(Err(Failure::Vertices(hull.vertex_count())));
+        }
         let enclosure = self.object.by(&hull);
-        match enclosure.first {
+        Ok(match enclosure.first {
             None => Ok(Found { hull, enclosure, share }),
             Some(offence) => Err(Failure::Offence(offence)),
-        }
+        })
     }
 }

@@ -20,6 +20,20 @@ pub fn touches([a, b]: [Vec3; 2], corners: [Vec3; 3]) -> bool {
     around.iter().all(|&side| side >= 0.0) || around.iter().all(|&side| side <= 0.0)
 }
 
+/// Whether two triangles have a point in common: if so, an edge of one has one with the other. Exact. O(1).
+pub fn faces_touch(one: [Vec3; 3], other: [Vec3; 3]) -> bool {
+    let sides = |[a, b, c]: [Vec3; 3]| [[a, b], [b, c], [c, a]];
+    // Mostly, all corners lie on one side.
+    let is_apart = |[u, v, w]: [Vec3; 3], corners: [Vec3; 3]| {
+        let heights = corners.map(|corner| orientation(u, v, w, corner));
+        heights.iter().all(|&height| height > 0.0) || heights.iter().all(|&height| height < 0.0)
+    };
+    !is_apart(one, other)
+        && !is_apart(other, one)
+        && (sides(one).into_iter().any(|side| touches(side, other))
+            || sides(other).into_iter().any(|side| touches(side, one)))
+}
+
 /// Whether a segment from a triangle's first corner has further points in common with it. Exact. O(1).
 pub fn touches_beyond_corner(end: Vec3, corners: [Vec3; 3]) -> bool {
     let [u, v, w] = corners;
