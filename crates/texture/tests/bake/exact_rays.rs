@@ -2,6 +2,7 @@
 //! meets the object.
 
 use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::shapes::Torus;
 use silhouette_core::{NoProgress, TriangleMesh};
 use silhouette_testing::random::Random;
 use silhouette_testing::{edits, real_meshes, zoo};
@@ -9,15 +10,15 @@ use silhouette_texture::hull::HullOptions;
 use silhouette_texture::visibility_function::HullPoint;
 use silhouette_texture::{Hull, VisibilityFunction, VisibilityRule};
 
-/// Rays that were cast, those that meet the object, those that were shown wrongly, and the most front faces that any ray met.
+/// Of some rays: those that meet the object, those that were shown wrongly, and the most front faces that any ray met.
 #[derive(Debug, Default)]
 struct Tally {
-    rays: u32,
     hits: u32,
     lost: u32,
     invented: u32,
     layers: usize,
-    shown_twice: u32,
+    /// Rays whose nearest point shown lies before another layer than the one that the object is first met in.
+    astray: u32,
 }
 
 /// Rays from eyes around the hull at random points of its box.
@@ -25,7 +26,7 @@ fn tally(object: &TriangleMesh, hull: &Hull, rule: VisibilityRule, rays: u32) ->
     let visibility = VisibilityFunction::new(object, hull, rule);
     let bounds = hull.mesh().bounds().unwrap();
     let mut random = Random::new(16);
-    let mut tally = Tally { rays, ..Tally::default() };
+    let mut tally = Tally::default();
     for _ in 0..rays {
         let eye = bounds.center + random.vector().normalize() * bounds.radius * (1.2 + 4.0 * random.unit());
         let half = (bounds.max - bounds.min) * 0.5;
@@ -41,25 +42,41 @@ fn tally(object: &TriangleMesh, hull: &Hull, rule: VisibilityRule, rays: u32) ->
                 ..visibility.point(hit.face, hit.weights)
             })
             .collect();
-        let shown = entries.iter().filter(|point| visibility.shows(point, direction)).count();
-        let is_hit = visibility.object().meets(eye, direction, f64::INFINITY);
-        tally.hits += u32::from(is_hit);
-        tally.lost += u32::from(is_hit && shown == 0);
-        tally.invented += u32::from(!is_hit && shown > 0);
-        tally.shown_twice += u32::from(shown > 1);
+        let shown = entries.iter().find(|point| visibility.shows(point, direction));
+        let first = visibility.object().first(eye, direction, f64::INFINITY);
+        tally.hits += u32::from(first.is_some());
+        tally.lost += u32::from(first.is_some() && shown.is_none());
+        tally.invented += u32::from(first.is_none() && shown.is_some());
+        if let (Some(point), Some(first)) = (shown, first) {
+            let distance = first.distance - point.position.distance(eye);
+            tally.astray +=
+                u32::from(visibility.hull().exits(point.position, direction, 1e-6 * bounds.radius, distance));
+        }
         tally.layers = tally.layers.max(entries.len());
     }
     tally
 }
 
+/// Objects with hulls that enclose them by construction: a thick torus around a thin one, spheres around anything.
+fn enclosed() -> Vec<(&'static str, TriangleMesh, Hull)> {
+    let torus = |minor_radius, around, across| Torus { major_radius: 1.0, minor_radius }.mesh(around, across).unwrap();
+    let mut scenes = vec![("torus in a torus", torus(0.3, 96, 48), Hull::trusted(torus(0.42, 24, 8)))];
+    for (name, object) in zoo::closed() {
+        let bounds = object.bounds().unwrap();
+        // An icosahedron divided twice reaches to 0.98 of its radius everywhere.
+        let around = |point: Vec3| (bounds.center + point.as_dvec3() * bounds.radius * 1.1).as_vec3();
+        scenes.push((name, object, Hull::trusted(edits::mapped(&zoo::builtin("icosphere:2"), around))));
+    }
+    scenes
+}
+
 #[test]
 fn a_ray_is_shown_exactly_if_it_meets_the_object() {
-    for (name, mesh) in zoo::closed() {
-        let Ok(hull) = Hull::enclosing(&mesh, &HullOptions { vertices: 100 }, &NoProgress) else { continue };
+    for (name, object, hull) in enclosed() {
         for rule in [VisibilityRule::Interior, VisibilityRule::Exterior] {
-            let tally = tally(&mesh, &hull, rule, 2000);
+            let tally = tally(&object, &hull, rule, 4000);
             assert_eq!((tally.lost, tally.invented), (0, 0), "{name}: {tally:?}");
-            assert!(tally.hits > 200, "{name}: {tally:?}");
+            assert!(tally.hits > 100, "{name}: {tally:?}");
         }
     }
 }
@@ -75,7 +92,8 @@ fn rays_at_real_meshes_are_shown_exactly_if_they_meet_them() {
     }
 }
 
-/// By equation 2 one layer shows a ray; by equation 1 several may, which is why it keeps outer outlines only.
+/// By equation 2 the nearest point that shows a ray is in front of what the ray meets first; by equation 1 it may be one that the
+/// ray leaves the hull after, which is why that keeps outer outlines only.
 #[test]
 fn inner_outlines_need_equation_2() {
     let ball = edits::mapped(&zoo::builtin("icosphere:3"), |point| point * 0.8);
@@ -85,17 +103,17 @@ fn inner_outlines_need_equation_2() {
     let hull = Hull::trusted(edits::joined(&[&hull, &edits::moved(&hull, apart)]));
     let [interior, exterior] =
         [VisibilityRule::Interior, VisibilityRule::Exterior].map(|rule| tally(&object, &hull, rule, 20_000));
-    assert_eq!((interior.lost, interior.invented, interior.shown_twice), (0, 0, 0));
+    assert_eq!((interior.lost, interior.invented, interior.astray), (0, 0, 0));
     assert_eq!((exterior.lost, exterior.invented), (0, 0));
-    assert!(exterior.shown_twice > 100, "{exterior:?}");
+    assert!(exterior.astray > 100, "{exterior:?}");
 
     // A direction from the first part's hull past the first ball to the second one.
     let (inner, outer) = (
         VisibilityFunction::new(&object, &hull, VisibilityRule::Interior),
         VisibilityFunction::new(&object, &hull, VisibilityRule::Exterior),
     );
-    let eye = DVec3::new(-5.0, 0.87, 0.0);
-    let direction = (DVec3::new(2.2, 0.0, 0.0) - eye).normalize().as_vec3();
+    let eye = DVec3::new(-5.0, 1.27, 0.0);
+    let direction = (DVec3::new(2.2, 0.694, 0.0) - eye).normalize().as_vec3();
     let entry = inner.hull().first(eye, direction, f64::INFINITY).unwrap();
     let point =
         HullPoint { position: eye + entry.distance * direction.as_dvec3(), ..inner.point(entry.face, entry.weights) };
