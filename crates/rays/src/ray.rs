@@ -10,10 +10,10 @@
 //!
 //! 1. Coordinates are first moved and scaled so that the mesh spans -1 to 1, and a ray that begins far away begins where it comes
 //!    near the mesh. Both in `f64`.
-//! 2. Boxes are grown once, by [`GROWTH`], instead of rounding every test of a box.
+//! 2. Boxes are grown once, by 1e-5 of half the extent, instead of rounding every test of a box.
 //! 3. The sign of the determinant is kept: it says whether the ray enters by the face or leaves by it.
 //!
-//! # Why boxes grown by [`GROWTH`] lose nothing
+//! # Why grown boxes lose nothing
 //!
 //! Local coordinates stay below 3, parameters along a ray of unit direction below 6. A sheared coordinate is wrong by at most
 //! `3 x 2^-24 x 3`, a slab's parameter by as much as if its plane were moved by `3 x 2^-24 x 6`, and the stand-in for components

@@ -99,6 +99,7 @@ fn read_records(
     let mut valid = HEADER;
     let mut record = Vec::new();
     loop {
+        record.clear();
         record.resize(8, 0);
         if !is_read(from.read_exact(&mut record))? {
             return Ok(valid);

@@ -22,7 +22,7 @@ mod tests {
     #[test]
     fn directions_are_unit_and_balanced() {
         for count in [1, 2, 100, 1024] {
-            assert!(spread(count, 0.3).all(|direction| direction.is_normalized()));
+            assert!(spread(count, 0.3).all(Vec3::is_normalized));
         }
         let mean = spread(1024, 0.0).sum::<Vec3>() / 1024.0;
         assert!(mean.length() < 2e-3, "{mean}");

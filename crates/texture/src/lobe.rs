@@ -90,7 +90,7 @@ impl Meridian {
             LobeRule::EqualArea => {
                 // Twice the squared sine of half the angle is 1 - cos, without cancellation for narrow lobes.
                 let share = |angle: f32| (angle * 0.5).sin().powi(2);
-                let area: f32 = self.parts(span).map(|[from, to]| share(to) - share(from)).sum();
+                let area = self.parts(span).fold(0.0, |area, [from, to]| area + share(to) - share(from));
                 2.0 * area.clamp(0.0, 1.0).sqrt().asin()
             }
             LobeRule::LastExit => self.parts(span).last().map_or(0.0, |[_, to]| to),

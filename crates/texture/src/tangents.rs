@@ -8,7 +8,7 @@
 //! Fields", ACM Transactions on Graphics 32 (4), 2013, section 3, with uniform weights.
 //!
 //! On a sphere no field is without zeros; around one, T turns once within the few texels next to it, and azimuths there are
-//! blurred. Wherever T vanishes, [`Frame`](crate::frame::Frame) replaces it, for baker and renderer alike.
+//! blurred. Wherever T vanishes, [`Frame`] replaces it, for baker and renderer alike.
 
 use crate::frame::Frame;
 use crate::hull::Hull;

@@ -144,7 +144,7 @@ impl Tile {
         while stride > 0 {
             for y in (0..self.height).step_by(stride as usize) {
                 for x in (0..self.width).step_by(stride as usize) {
-                    let offset = |at: u32| if at % (2 * stride) == 0 { 0 } else { stride };
+                    let offset = |at: u32| if at.is_multiple_of(2 * stride) { 0 } else { stride };
                     let (dx, dy) = (offset(x), offset(y));
                     if stride == COARSEST {
                         order.push((self.index(x, y), [None; 2]));

@@ -2,4 +2,6 @@
 
 mod atlas;
 mod closed_forms;
+mod errors;
+mod exact_rays;
 mod resume;
