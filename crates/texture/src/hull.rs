@@ -17,7 +17,7 @@ mod outside;
 #[cfg(feature = "simplify")]
 mod smallest;
 mod touching;
-mod winding_number;
+pub(crate) mod winding_number;
 
 use crate::hull::enclosure::{Enclosed, Enclosure, Offence};
 use silhouette_core::{Cancelled, TriangleMesh};
