@@ -126,15 +126,19 @@ fn what_does_not_fit_is_refused() {
 }
 
 #[test]
-fn a_hull_without_faces_draws_nothing() {
-    let Some(gpu) = gpu_or_skip("a_hull_without_faces_draws_nothing") else { return };
-    let mut parts = Scene::new(ECCENTRIC, 0).texture().into_parts();
-    let positions = parts.hull.mesh().positions().to_vec();
-    parts.hull = Hull::trusted(TriangleMesh::new(positions, vec![]).unwrap());
-    parts.places.clear();
-    let volume = volume(gpu, &SilhouetteTexture::new(parts).unwrap(), Filtering::Native);
-    let picture = PLAIN.draw(gpu, &mut [&mut renderer(gpu, PLAIN.formats(), flat(), &volume)]);
-    assert!(picture.rgba.iter().all(|&byte| byte == 0));
+fn hulls_without_faces_or_pages_draw_nothing() {
+    let Some(gpu) = gpu_or_skip("hulls_without_faces_or_pages_draw_nothing") else { return };
+    let mut no_pages = Scene::new(ECCENTRIC, 0).texture().into_parts();
+    let mut no_faces = no_pages.clone();
+    no_pages.places.iter_mut().for_each(|place| place.page = 7);
+    let positions = no_faces.hull.mesh().positions().to_vec();
+    no_faces.hull = Hull::trusted(TriangleMesh::new(positions, vec![]).unwrap());
+    no_faces.places.clear();
+    for parts in [no_pages, no_faces] {
+        let volume = volume(gpu, &SilhouetteTexture::new(parts).unwrap(), Filtering::Native);
+        let picture = PLAIN.draw(gpu, &mut [&mut renderer(gpu, PLAIN.formats(), flat(), &volume)]);
+        assert!(picture.rgba.iter().all(|&byte| byte == 0));
+    }
 }
 
 #[test]
