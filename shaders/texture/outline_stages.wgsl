@@ -9,11 +9,6 @@ override WIDTH_LAW: u32 = BY_GRADIENT;
 
 // By how much the distance by gap may exceed that by gradient: gaps are means over all azimuths.
 const MOST_DISAGREEMENT: f32 = 4.0;
-// Margins of points that show nothing are below.
-const NOTHING: f32 = -3.0;
-// Beyond any line.
-const FAR_PX: f32 = 1e6;
-
 // Signed distance from the outline in pixels, above 0 inside; as printed, in the unit of `half_width`.
 fn outline_distance(in: HullVertex) -> f32 {
     let inside = margin(in);
@@ -21,18 +16,20 @@ fn outline_distance(in: HullVertex) -> f32 {
     if WIDTH_LAW > BY_GAP {
         return inside / (hull.allowance_per_w * w);
     }
-    let far = sign(inside) * FAR_PX;
+    // Beyond any line, and no farther, so that slopes at the border of what is known stay small.
+    let beyond = hull.half_width + 2.0;
+    let far = sign(inside) * beyond;
     // The outline lies beyond the hull, where a pixel is larger.
     let gap = textureSampleLevel(gaps, linear, in.place, 0.0).x * hull.gap_unit;
     let outline_w = w + gap * (camera.to_clip * vec4<f32>(view_direction(in), 0.0)).w;
     let by_gap = inside * gap / (hull.pixel_per_w * outline_w);
     if WIDTH_LAW == BY_GAP {
         // Without a gap no outline is seen from here.
-        return select(far, by_gap, gap > 0.0 && inside > NOTHING);
+        return select(far, clamp(by_gap, -beyond, beyond), gap > 0.0 && inside > NOTHING);
     }
     // Where the margin jumps its slope stands for no distance. There the gap, exact or not, says that the outline is far away.
     let by_gradient = inside / max(length(vec2<f32>(dpdx(inside), dpdy(inside))), 1e-20);
-    return select(far, by_gradient, abs(by_gap) < MOST_DISAGREEMENT * hull.half_width && inside > NOTHING);
+    return select(far, clamp(by_gradient, -beyond, beyond), abs(by_gap) < MOST_DISAGREEMENT * hull.half_width && inside > NOTHING);
 }
 
 // Surface and ink on its border; half of the ink lies outside.

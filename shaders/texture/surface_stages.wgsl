@@ -43,6 +43,9 @@ fn baked_normal(in: HullVertex) -> vec3<f32> {
     return textureSampleLevel(normals, linear, in.place, 0.0).xyz;
 }
 
+// Margins of points that show nothing are below.
+const NOTHING: f32 = -3.0;
+
 // How far inside the border of the lobe the direction of view lies, in radians; below 0 outside.
 fn margin(in: HullVertex) -> f32 {
     let frame = hull_frame(in);
@@ -54,7 +57,8 @@ fn margin(in: HullVertex) -> f32 {
 // The samples at which the hull point shows the object (equation 4). The comparison of cosines is cheaper than that of angles.
 fn carve(in: HullVertex) -> u32 {
     if IS_SOFT {
-        return covered(margin(in));
+        let inside = margin(in);
+        return select(0u, covered(inside), inside > NOTHING);
     }
     let frame = hull_frame(in);
     let direction = view_direction(in);

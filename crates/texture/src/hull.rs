@@ -30,7 +30,7 @@ mod smallest;
 #[cfg(all(test, feature = "simplify"))]
 mod tests;
 mod touching;
-mod winding_number;
+pub(crate) mod winding_number;
 
 use crate::hull::enclosure::{Enclosed, Enclosure, Offence};
 use silhouette_core::{Cancelled, TriangleMesh};

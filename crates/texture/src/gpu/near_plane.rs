@@ -1,16 +1,17 @@
 //! [`meets_hull`]: whether a view begins inside the hull, so that its front faces do not cover the object.
 
+use crate::hull::winding_number::winding_number;
 use glam::{DVec2, DVec3, DVec4, Vec4Swizzles};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::{TriangleMesh, glam};
 use silhouette_gpu::FrameView;
-use std::f64::consts::TAU;
+use silhouette_rays::MeshHierarchy;
 
 /// Whether the near window, the part of the near plane that the viewport shows, meets the solid hull.
 ///
 /// Where it does not, each ray of the view begins outside of the hull and enters it through a front face beyond the near plane,
-/// wherever the eye is. O(1) for views whose near plane is clear of the bounds, O(F) for others; allocates nothing.
-pub(super) fn meets_hull(hull: &TriangleMesh, bounds: &Bounds, view: &FrameView) -> bool {
+/// wherever the eye is. An open hull counts as met where it is not known to be clear. O(1) for views whose near plane is clear of the bounds, O(F) for others; allocates nothing.
+pub(super) fn meets_hull(hull: &TriangleMesh, hierarchy: &MeshHierarchy, bounds: &Bounds, view: &FrameView) -> bool {
     let near = view.depth_law().range().near;
     // The largest scale is known to a fraction of a percent.
     if view.depth(bounds.center) - 1.01 * bounds.radius * view.largest_scale() > near {
@@ -39,7 +40,7 @@ pub(super) fn meets_hull(hull: &TriangleMesh, bounds: &Bounds, view: &FrameView)
         // No face crosses the window, so that one point of it stands for all.
         let clip_z = view.depth_law().value_at(near);
         let middle = to_clip.inverse().project_point3(DVec3::new(0.0, 0.0, clip_z));
-        encloses(hull.triangles().iter().map(corners), middle)
+        winding_number(hull, hierarchy, middle.as_vec3(), |_| true) != Some(0)
     }
 }
 
@@ -60,16 +61,6 @@ fn meets_window([from, to]: [DVec2; 2]) -> bool {
     span[0] <= span[1]
 }
 
-/// Whether a closed surface winds around a point: by the solid angles of its triangles (van Oosterom and Strackee 1983).
-fn encloses(triangles: impl Iterator<Item = [DVec3; 3]>, point: DVec3) -> bool {
-    let solid_angle = |corners: [DVec3; 3]| {
-        let [a, b, c] = corners.map(|corner| (corner - point).normalize_or_zero());
-        2.0 * a.dot(b.cross(c)).atan2(1.0 + a.dot(b) + b.dot(c) + c.dot(a))
-    };
-    // A whole turn is 2 TAU steradians.
-    triangles.map(solid_angle).sum::<f64>().abs() > TAU
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,7 +75,7 @@ mod tests {
 
     fn meets(view: &FrameView) -> bool {
         let hull = builtin("icosphere:3");
-        meets_hull(&hull, &hull.bounds().unwrap(), view)
+        meets_hull(&hull, &MeshHierarchy::new(&hull), &hull.bounds().unwrap(), view)
     }
 
     #[test]
@@ -105,11 +96,14 @@ mod tests {
     #[test]
     fn frames_allocate_nothing() {
         let hull = builtin("icosphere:3");
-        let bounds = hull.bounds().unwrap();
+        let (hierarchy, bounds) = (MeshHierarchy::new(&hull), hull.bounds().unwrap());
         let wide = Projection::Perspective { fov_y_rad: 1.2 };
         for distance in [3.0, 1.5] {
             let view = view(wide, Vec3::new(0.0, 0.0, distance), 0.5);
-            assert_eq!(allocation_counter::measure(|| _ = meets_hull(&hull, &bounds, &view)).count_total, 0);
+            assert_eq!(
+                allocation_counter::measure(|| _ = meets_hull(&hull, &hierarchy, &bounds, &view)).count_total,
+                0
+            );
         }
     }
 

@@ -1,7 +1,6 @@
 //! [`TextureRenderer`]: one instance of an object.
 
 use super::hull_uniform::HullUniform;
-use super::near_plane::meets_hull;
 use super::pipelines::TexturePipelines;
 use super::style::{Drawing, Shading};
 use super::volume::TextureVolume;
@@ -77,7 +76,7 @@ impl FrameRenderer for TextureRenderer {
         formats.check(view)?;
         self.prepared = None;
         let volume = &*self.volume;
-        let is_near = volume.bounds().is_some_and(|bounds| meets_hull(volume.hull().mesh(), &bounds, view));
+        let is_near = volume.is_met_by(view);
         if is_near && let Some(near) = &mut self.near {
             near.prepare(device, queue, view)?;
         }

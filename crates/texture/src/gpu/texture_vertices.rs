@@ -36,11 +36,12 @@ pub(super) struct TextureVertices {
 }
 
 impl TextureVertices {
-    /// O(F log F).
+    /// Faces on pages that do not exist are left out. O(F log F).
     pub fn new(texture: &SilhouetteTexture, frame: &LocalFrame) -> Self {
         let parts = texture.parts();
         let mesh = parts.hull.mesh();
         let mut faces: Vec<usize> = (0..mesh.face_count()).collect();
+        faces.retain(|&face| parts.places[face].page < parts.size.pages);
         faces.sort_by_key(|&face| parts.places[face].page);
         let mut made = Self { vertices: Vec::new(), triangles: Vec::with_capacity(faces.len()), pages: Vec::new() };
         let mut known = HashMap::new();

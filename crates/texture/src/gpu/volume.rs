@@ -1,11 +1,15 @@
 //! [`TextureVolume`]: a silhouette texture on a device. Stages: `shaders/texture/lookup.wgsl` and `lookup.terms.wgsl`.
 
+use super::near_plane::meets_hull;
 use super::texture_vertices::TextureVertices;
+use crate::hull::Hull;
 use crate::silhouette_texture::{Angles, SilhouetteTexture, Terms};
 use half::f16;
 use silhouette_core::mesh::Bounds;
 use silhouette_gpu::kit::{bind_group, bind_layout};
-use silhouette_gpu::{LocalFrame, RendererError};
+use silhouette_gpu::{FrameView, LocalFrame, RendererError};
+use silhouette_rays::MeshHierarchy;
+use std::fmt;
 use std::ops::Range;
 use wgpu::{TextureFormat, TextureViewDimension};
 
@@ -73,7 +77,6 @@ impl VolumeForm {
 }
 
 /// A hull and all that was baked on it, on a device, shared by all instances of the object.
-#[derive(Debug)]
 pub struct TextureVolume {
     form: VolumeForm,
     frame: LocalFrame,
@@ -86,7 +89,8 @@ pub struct TextureVolume {
     /// Per page with triangles: what was baked on it, and its indices.
     pages: Vec<(wgpu::BindGroup, Range<u32>)>,
     /// The hull in its own space, for the test against the near plane.
-    hull: crate::hull::Hull,
+    hull: Hull,
+    hierarchy: MeshHierarchy,
 }
 
 impl TextureVolume {
@@ -123,6 +127,7 @@ impl TextureVolume {
             bytes: upload.bytes + buffer_bytes,
             buffers,
             pages,
+            hierarchy: MeshHierarchy::new(parts.hull.mesh()),
             hull: parts.hull.clone(),
         })
     }
@@ -156,8 +161,9 @@ impl TextureVolume {
         self.azimuths
     }
 
-    pub(super) fn hull(&self) -> &crate::hull::Hull {
-        &self.hull
+    /// Whether a view begins inside the hull. See [`meets_hull`].
+    pub(super) fn is_met_by(&self, view: &FrameView) -> bool {
+        self.bounds.is_some_and(|bounds| meets_hull(self.hull.mesh(), &self.hierarchy, &bounds, view))
     }
 
     /// Draws every triangle once with the pipeline that is set: one draw per page.
@@ -169,6 +175,12 @@ impl TextureVolume {
             pass.set_bind_group(2, page, &[]);
             pass.draw_indexed(indices.clone(), 0, 0..1);
         }
+    }
+}
+
+impl fmt::Debug for TextureVolume {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TextureVolume").field("form", &self.form).field("bytes", &self.bytes).finish_non_exhaustive()
     }
 }
 

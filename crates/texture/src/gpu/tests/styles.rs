@@ -3,8 +3,9 @@
 use super::scene::{Ball, ECCENTRIC, PLAIN, Scene, Shot, outside_px};
 use super::{flat, renderer, volume};
 use crate::gpu::{Drawing, Edge, Filtering, Shading, TexturePipelines, TextureRenderer, TextureStyle};
+use crate::{Hull, SilhouetteTexture};
 use glam::{DMat4, DVec3};
-use silhouette_core::glam;
+use silhouette_core::{TriangleMesh, glam};
 use silhouette_gpu::{FrameRenderer, RendererError};
 use silhouette_render::{Gpu, Load, Target};
 use silhouette_testing::gpu_or_skip;
@@ -122,6 +123,22 @@ fn what_does_not_fit_is_refused() {
     let samples = texture.parts().size.samples();
     let float = volume(gpu, &texture, Filtering::Float16);
     assert!(native.bytes() == manual.bytes() && float.bytes() >= native.bytes(), "{samples}");
+}
+
+#[test]
+fn hulls_without_faces_or_pages_draw_nothing() {
+    let Some(gpu) = gpu_or_skip("hulls_without_faces_or_pages_draw_nothing") else { return };
+    let mut no_pages = Scene::new(ECCENTRIC, 0).texture().into_parts();
+    let mut no_faces = no_pages.clone();
+    no_pages.places.iter_mut().for_each(|place| place.page = 7);
+    let positions = no_faces.hull.mesh().positions().to_vec();
+    no_faces.hull = Hull::trusted(TriangleMesh::new(positions, vec![]).unwrap());
+    no_faces.places.clear();
+    for parts in [no_pages, no_faces] {
+        let volume = volume(gpu, &SilhouetteTexture::new(parts).unwrap(), Filtering::Native);
+        let picture = PLAIN.draw(gpu, &mut [&mut renderer(gpu, PLAIN.formats(), flat(), &volume)]);
+        assert!(picture.rgba.iter().all(|&byte| byte == 0));
+    }
 }
 
 #[test]
