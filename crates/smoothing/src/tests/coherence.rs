@@ -3,11 +3,12 @@
 use super::shape;
 use crate::shading_normals::NormalWeights;
 use crate::{SmoothingOptions, SmoothingView};
-use silhouette_core::curves::CurveSource;
+use silhouette_core::curves::{CurveSource, SmoothPiece};
 use silhouette_core::glam::{DQuat, DVec2, DVec3, Vec3};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{ExtractsCurves, SilhouetteCurves};
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// A point that is as close as this, in pixels, to a curve of the next frame counts as at rest.
 const CLOSE: f64 = 0.05;
@@ -15,40 +16,63 @@ const CLOSE: f64 = 0.05;
 /// Straight pieces of each curve. Of fewer, the chords are seen to move as points slide along curves: of 8, by up to 0.4 pixels.
 const STEPS: usize = 32;
 
-/// A silhouette in the image: polylines by the face that they run through.
+/// A curve in the image.
+#[derive(Clone)]
+struct Line {
+    points: [DVec2; STEPS + 1],
+    middle: DVec2,
+    /// How far its points are from the middle at most.
+    reach: f64,
+}
+
+impl Line {
+    fn new(points: [DVec2; STEPS + 1]) -> Self {
+        let middle = points[STEPS / 2];
+        Self { points, middle, reach: points.iter().map(|point| point.distance(middle)).fold(0.0, f64::max) }
+    }
+
+    /// How far a point is from some of its pieces.
+    fn distance(&self, point: DVec2, points: Range<usize>) -> f64 {
+        let to_piece = |pair: &[DVec2]| {
+            let along = pair[1] - pair[0];
+            let share = ((point - pair[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+            point.distance(pair[0] + if share.is_nan() { 0.0 } else { share } * along)
+        };
+        self.points[points].windows(2).map(to_piece).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// A silhouette in the image: curves by the face that they run through.
 #[derive(Default)]
-struct Traced(HashMap<CurveSource, [DVec2; STEPS + 1]>);
+struct Traced(HashMap<CurveSource, Line>);
 
 impl Traced {
     fn new(curves: &SilhouetteCurves, view: &SmoothingView) -> Self {
         let at = |i: usize| i as f64 / STEPS as f64;
-        let polyline = |piece: &silhouette_core::curves::SmoothPiece| {
-            (piece.source, std::array::from_fn(|i| view.pixel(piece.point(at(i))).0))
-        };
-        Self(curves.pieces().iter().map(polyline).collect())
+        let line =
+            |piece: &SmoothPiece| (piece.source, Line::new(std::array::from_fn(|i| view.pixel(piece.point(at(i))).0)));
+        Self(curves.pieces().iter().map(line).collect())
     }
 
     /// How far the points of `self` are from `next` at most; 0 where that is less than [`CLOSE`].
     fn movement(&self, next: &Self) -> f64 {
-        let to_line = |point: DVec2, line: &[DVec2]| {
-            let to_segment = |pair: &[DVec2]| {
-                let along = pair[1] - pair[0];
-                let share = ((point - pair[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-                point.distance(pair[0] + if share.is_nan() { 0.0 } else { share } * along)
-            };
-            line.windows(2).map(to_segment).fold(f64::INFINITY, f64::min)
-        };
+        let all = 0..STEPS + 1;
         let to_next = |source: &CurveSource, i: usize, point: DVec2| {
             let near = i.saturating_sub(2)..(i + 3).min(STEPS + 1);
-            let same_face = next.0.get(source);
-            if same_face.is_some_and(|line| to_line(point, &line[near]) < CLOSE || to_line(point, line) < CLOSE) {
+            let is_close =
+                |line: &Line| line.distance(point, near) < CLOSE || line.distance(point, all.clone()) < CLOSE;
+            if next.0.get(source).is_some_and(is_close) {
                 return 0.0;
             }
             // Where the silhouette has left a face, or slid along it, it may be close elsewhere.
-            let moved = next.0.values().map(|line| to_line(point, line)).fold(f64::INFINITY, f64::min);
+            let closer = |least: f64, line: &Line| {
+                let is_far = point.distance(line.middle) - line.reach > least;
+                if is_far { least } else { least.min(line.distance(point, all.clone())) }
+            };
+            let moved = next.0.values().fold(f64::INFINITY, closer);
             if moved < CLOSE { 0.0 } else { moved }
         };
-        let points = self.0.iter().flat_map(|(source, line)| (0..=STEPS).map(move |i| (source, i, line[i])));
+        let points = self.0.iter().flat_map(|(source, line)| (0..=STEPS).map(move |i| (source, i, line.points[i])));
         points.map(|(source, i, point)| to_next(source, i, point)).fold(0.0, f64::max)
     }
 }
@@ -128,8 +152,9 @@ fn losses_and_jitter_are_movement() {
     shape("torus:24,12", SmoothingOptions::default()).extract_curves(&camera.viewpoint(), &mut curves);
     let traced = Traced::new(&curves, &SmoothingView::from_camera(&camera));
     let first = curves.get(0).pieces.iter().map(|piece| piece.source).collect::<Vec<_>>();
-    let without =
-        Traced(traced.0.iter().filter(|(source, _)| !first.contains(source)).map(|(s, l)| (*s, *l)).collect());
-    let moved = Traced(traced.0.iter().map(|(source, line)| (*source, line.map(|point| point + DVec2::X))).collect());
+    let without = traced.0.iter().filter(|(source, _)| !first.contains(source)).map(|(s, line)| (*s, line.clone()));
+    let without = Traced(without.collect());
+    let moved = traced.0.iter().map(|(s, line)| (*s, Line::new(line.points.map(|point| point + DVec2::X))));
+    let moved = Traced(moved.collect());
     assert!(traced.movement(&traced) < 1e-9 && traced.movement(&without) > 10.0 && traced.movement(&moved) > 0.9);
 }
