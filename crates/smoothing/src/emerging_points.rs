@@ -1,10 +1,10 @@
-//! Beside section III-D: silhouette points that move continuously from view to view.
+//! Beside section III-D, and not in the paper: silhouette points that move continuously from view to view.
 //!
-//! Seen from an eye, a bridge may cross the contour twice though both of its ends are invisible. It has no silhouette point then. When
-//! one end turns visible, one crossing vanishes in that end and the other stays where it is: the point of Eq. 7 appears there, away
-//! from the end, and the outline jumps.
+//! Seen from an eye, a bridge may cross the contour twice although both of its ends are invisible; it has no silhouette point then.
+//! When one end turns visible, one of the crossings vanishes in that end and the other stays where it is. Eq. 7 puts the new point
+//! there, away from the end, and the outline jumps. The same happens with visible and invisible exchanged.
 //!
-//! Two steps avoid this. In parallel projection neither changes anything.
+//! Two steps avoid this, in perspective only; parallel projection does not need them.
 //!
 //! 1. u / (1 - u) stays within a factor [`MOST_UNEVEN`] of the ratio of N . D at both ends ([`evened`]), which is its value in parallel
 //!    projection. So a point reaches an end just as that end turns perpendicular to the view, along whichever bridge, and the
@@ -13,8 +13,8 @@
 //!    ([`beside_bridge`]). All faces at the side have the moved point, so the surface stays closed. On a feature edge, points stay on
 //!    its curve.
 //!
-//! A point for each of the two crossings is no remedy: the segment through a face would be replaced by two as soon as the contour
-//! touches a side, and these do not follow the curve that one segment had; outlines would jump as far, and more often.
+//! A point for each of the two crossings would be no remedy. As soon as the contour touched a side, two segments through the point of
+//! contact would replace one that passes it at some distance, and the outline would jump there.
 
 use crate::eye::Eye;
 use crate::silhouette_points::{Bridge, SilhouettePoint};
@@ -27,16 +27,17 @@ pub const MOST_UNEVEN: f64 = 2.0;
 /// How far from its bridge a point may lie, as a share of the chord. On a sphere of 80 faces seen from 1.2 radii they need 0.1.
 pub const MOST_BESIDE: f64 = 0.25;
 
-/// The parameter closest to `u` at which a silhouette point may lie, given N . D at both ends, of which one is negative.
+/// The parameter closest to `u` at which a silhouette point may lie, given N . D at both ends, of which one is negative; `None` if it
+/// may lie at `u`.
 #[inline]
-pub fn evened(u: f64, signs: [f64; 2]) -> f64 {
+pub fn evened(u: f64, signs: [f64; 2]) -> Option<f64> {
     let [from, to] = signs.map(f64::abs);
     if to * u > MOST_UNEVEN * from * (1.0 - u) {
-        MOST_UNEVEN * from / (MOST_UNEVEN * from + to)
+        Some(MOST_UNEVEN * from / (MOST_UNEVEN * from + to))
     } else if from * (1.0 - u) > MOST_UNEVEN * to * u {
-        from / (from + MOST_UNEVEN * to)
+        Some(from / (from + MOST_UNEVEN * to))
     } else {
-        u
+        None
     }
 }
 
@@ -75,19 +76,18 @@ mod tests {
     use crate::bridges::bridge;
     use crate::silhouette_points::silhouette_point;
     use proptest::prelude::*;
-    use silhouette_core::glam::DVec2;
 
-    /// Two points of the unit sphere, and an eye at 1.2 radii.
-    fn on_sphere(first: DVec3, second: DVec3) -> [DVec3; 2] {
-        [first, second].map(DVec3::normalize)
+    /// Two points of the unit sphere.
+    fn ends() -> [DVec3; 2] {
+        [DVec3::X, DVec3::new(0.85, 0.5, 0.0).normalize()]
     }
 
-    /// The eye that sees a point of the unit sphere at a value of N . D, from 1.2 radii, in the plane of another point.
+    /// An eye at 1.2 radii for which N . D has some value at the first end, and the contour runs close to the second.
     fn eye_near([first, second]: [DVec3; 2], value: f64) -> Eye {
-        let across = (second - second.dot(first) * first).normalize();
-        let along: f64 = 1.0 + value;
-        let side = (1.2 * 1.2 - along * along).sqrt();
-        Eye::new((along * first + side * across.cross(first).lerp(across, 0.12).normalize()).extend(1.0))
+        let toward = second.reject_from_normalized(first).normalize();
+        let around = toward.cross(first).lerp(toward, 0.12).normalize();
+        let height = 1.0 + value;
+        Eye::new((height * first + (1.2_f64.powi(2) - height.powi(2)).sqrt() * around).extend(1.0))
     }
 
     fn point(ends: [DVec3; 2], eye: Eye, newton_steps: u32) -> SilhouettePoint {
@@ -96,14 +96,14 @@ mod tests {
 
     #[test]
     fn points_emerge_from_an_end_that_turns_visible_and_by_the_printed_law_they_appear_away_from_it() {
-        let ends = on_sphere(DVec3::X, DVec3::new(0.85, 0.5, 0.0));
+        let ends = ends();
         let turning = |newton_steps| point(ends, eye_near(ends, 1e-9), newton_steps).u;
         assert!(turning(3) < 1e-6 && turning(0) > 0.2, "{} and {}", turning(3), turning(0));
     }
 
     #[test]
     fn points_beside_a_bridge_are_on_the_contour_of_a_sphere() {
-        let ends = on_sphere(DVec3::X, DVec3::new(0.85, 0.5, 0.0));
+        let ends = ends();
         let mut beside = 0;
         for value in (1..200).map(|i| f64::from(i) * 1e-4) {
             let eye = eye_near(ends, value);
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn a_surface_that_turns_inwards_and_a_normal_along_the_view_leave_points_on_the_bridge() {
-        let ends = on_sphere(DVec3::X, DVec3::new(0.85, 0.5, 0.0));
+        let ends = ends();
         let inwards = ends.map(|end| -end);
         let eye = eye_near(ends, 0.01);
         let curve = bridge(ends, inwards);
@@ -133,18 +133,17 @@ mod tests {
     proptest! {
         /// In parallel projection u / (1 - u) is the ratio at the ends, and stays.
         #[test]
-        fn even_parameters_stay_and_others_move_to_the_limit(from in 0.0..1.0_f64, to in 0.0..1.0_f64, u in 0.0..=1.0_f64) {
+        fn uneven_parameters_move_to_the_limit(from in 0.0..1.0_f64, to in 0.0..1.0_f64, u in 0.0..=1.0_f64) {
             let signs = [from, -to];
             if from + to > 1e-9 {
-                let linear = from / (from + to);
-                prop_assert!((evened(linear, signs) - linear).abs() < 1e-12);
+                prop_assert!(evened(from / (from + to), signs).is_none());
             }
-            let kept = evened(u, signs);
-            prop_assert!((0.0..=1.0).contains(&kept));
-            let sides = DVec2::new(to * kept, from * (1.0 - kept));
-            prop_assert!(sides.max_element() <= MOST_UNEVEN * sides.min_element() + 1e-9);
-            prop_assert!((evened(kept, signs) - kept).abs() < 1e-12);
-            prop_assert!((evened(1.0 - u, [-to, from]) - (1.0 - kept)).abs() < 1e-12, "the direction does not matter");
+            if let Some(even) = evened(u, signs) {
+                let [a, b] = [to * even, from * (1.0 - even)];
+                prop_assert!((0.0..=1.0).contains(&even) && (a.max(b) - MOST_UNEVEN * a.min(b)).abs() < 1e-9);
+                let backwards = evened(1.0 - u, [-to, from]);
+                prop_assert!(backwards.is_some_and(|backwards| (backwards - (1.0 - even)).abs() < 1e-12));
+            }
         }
     }
 }

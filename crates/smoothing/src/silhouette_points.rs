@@ -88,10 +88,9 @@ pub fn silhouette_point(
         quadratic_root(signs[0], toward[0].dot(normals[1]) + toward[1].dot(normals[0]), signs[1])
     };
     if eye.position().is_some() && newton_steps > 0 {
-        let root = refined(u, signs[0] >= 0.0, normals, bridge, eye, newton_steps);
-        u = evened(root, signs);
-        if u != root {
-            return beside_bridge(u, positions, normals, bridge, eye);
+        u = refined(u, signs[0] >= 0.0, normals, bridge, eye, newton_steps);
+        if let Some(even) = evened(u, signs) {
+            return beside_bridge(even, positions, normals, bridge, eye);
         }
     }
     let position = bridge.point(u);
