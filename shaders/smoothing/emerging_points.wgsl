@@ -1,15 +1,15 @@
-// Keeps silhouette points continuous: they emerge from the ends of bridges, and lie on the contour beside a bridge where this does not
-// cross it. Twin: crates/smoothing/src/emerging_points.rs
+// Silhouette points that move continuously: they emerge from the ends of bridges, and lie beside a bridge where it does not cross the
+// contour. Twin: crates/smoothing/src/emerging_points.rs
 
 #import "smoothing/frame.wgsl"
 
-// How many times u / (1 - u) of a point may be what it would be if the function between the ends were linear, or that may be it.
+// How many times u / (1 - u) of a point may be its value in parallel projection, or the other way around.
 const MOST_UNEVEN: f32 = 2.0;
 
 // How far beside its bridge a point may lie, as a share of the chord.
 const MOST_BESIDE: f32 = 0.25;
 
-// The parameter closest to `u` that is not too uneven, given the values at both ends.
+// The parameter closest to `u` at which a silhouette point may lie, given N . D at both ends.
 fn evened(u: f32, start: f32, end: f32) -> f32 {
     let a = abs(start);
     let c = abs(end);
@@ -28,7 +28,8 @@ fn across_view(normal: vec3<f32>, toward: vec3<f32>) -> vec3<f32> {
     return unit_or_zero(normal - dot(normal, view) * view);
 }
 
-// From a point of a bridge to the contour, the surface being taken for a sphere; `turned` is the normal there.
+// The way from a point of a bridge to the contour, where the normal is `turned`, if the surface between is a sphere. None where the
+// surface turns inwards.
 fn way_beside(chord: vec3<f32>, turn: vec3<f32>, normal: vec3<f32>, turned: vec3<f32>) -> vec3<f32> {
     let bend = dot(chord, turn);
     if bend <= 0.0 {
