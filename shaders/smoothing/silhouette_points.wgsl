@@ -4,6 +4,7 @@
 
 #import "shared/invocation.wgsl"
 #import "smoothing/feature_curve.wgsl"
+#import "smoothing/emerging_points.wgsl"
 
 // An interpolated normal shorter than this has no direction.
 const LEAST_NORMAL: f32 = 1e-6;
@@ -77,15 +78,25 @@ fn find_point(point: u32, v0: u32, v1: u32) {
     } else {
         curve = feature_curve(feature);
     }
+    var root: f32;
     var u: f32;
     if settings.eye.w == 0.0 {
-        u = linear_root(a, c);
+        root = linear_root(a, c);
+        u = root;
     } else {
-        u = refined(quadratic_root(a, dot(d0, n1) + dot(d1, n0), c), visible, n0, n1, curve);
+        root = refined(quadratic_root(a, dot(d0, n1) + dot(d1, n0), c), visible, n0, n1, curve);
+        u = select(root, evened(root, a, c), settings.newton_steps > 0u);
     }
-    let position = side_point(curve, u);
+    var position = side_point(curve, u);
     var normal = mix(n0, n1, u);
-    if length(normal) < LEAST_NORMAL {
+    if u != root {
+        normal = unit_or_zero(normal);
+        let turned = across_view(normal, toward_viewer(position));
+        if feature == NONE {
+            position += way_beside(p1 - p0, n1 - n0, normal, turned);
+        }
+        normal = across_view(turned, toward_viewer(position));
+    } else if length(normal) < LEAST_NORMAL {
         normal = cross(toward_viewer(position), p1 - p0);
     }
     state[settings.parameters_at + point] = bitcast<u32>(u);

@@ -40,7 +40,7 @@
 //! | which vertices are visible, in clusters | III-B | [`vertex_visibility`] |
 //! | silhouette triangles: faces with visible and invisible vertices | II | [`silhouette_triangles`](mod@silhouette_triangles) |
 //! | bridges over their mixed sides | III-C | [`bridges`], [`hermite`] |
-//! | silhouette points on the bridges, silhouette segments between them | III-D | [`silhouette_points`], [`silhouette_segments`] |
+//! | silhouette points on the bridges, silhouette segments between them | III-D | [`silhouette_points`], [`emerging_points`], [`silhouette_segments`] |
 //! | how finely curves are sampled | III-E | [`sampling`], [`feature_samples`] |
 //! | local re-meshing | III-E | [`remeshing`] |
 //! | concave segments, and vertices lowered below them | III-E | [`concavity`], [`perturbation`] |
@@ -71,6 +71,7 @@
 pub mod bridges;
 pub mod concavity;
 pub mod curves;
+pub mod emerging_points;
 pub mod eye;
 pub mod face_normal;
 pub mod feature_edges;

@@ -8,7 +8,11 @@
 //! 2. Unless the option `newton` is 0, steps of Newton's method on (S(u) - E) . N(u) = 0 with the bridge S itself, guarded by bisection, replace
 //!    the approximation of Eq. 7.
 //! 3. Where the interpolated normal vanishes, the direction across the chord in the plane of the view takes its place.
+//! 4. With Newton's method points emerge from the ends of bridges and do not appear away from them ([`emerging_points`]).
+//!
+//! [`emerging_points`]: crate::emerging_points
 
+use crate::emerging_points::{beside_bridge, evened};
 use crate::eye::Eye;
 use crate::feature_segments::FeatureSegment;
 use crate::hermite::Hermite;
@@ -16,6 +20,9 @@ use silhouette_core::glam::DVec3;
 
 /// A curve with a silhouette point on it.
 pub trait Bridge {
+    /// Whether faces meet in it at an angle, so that no point may lie beside it.
+    const IS_SHARP: bool;
+
     /// The point at a parameter from 0 to 1.
     fn point(&self, u: f64) -> DVec3;
 
@@ -24,6 +31,8 @@ pub trait Bridge {
 }
 
 impl Bridge for Hermite {
+    const IS_SHARP: bool = false;
+
     fn point(&self, u: f64) -> DVec3 {
         self.point(u)
     }
@@ -34,6 +43,8 @@ impl Bridge for Hermite {
 }
 
 impl Bridge for FeatureSegment {
+    const IS_SHARP: bool = true;
+
     fn point(&self, u: f64) -> DVec3 {
         self.point(u)
     }
@@ -43,7 +54,7 @@ impl Bridge for FeatureSegment {
     }
 }
 
-/// A point of the silhouette, on a bridge.
+/// A point of the silhouette, on a bridge or close to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SilhouettePoint {
     /// Parameter on the bridge, from 0 to 1.
@@ -78,6 +89,9 @@ pub fn silhouette_point(
     };
     if eye.position().is_some() && newton_steps > 0 {
         u = refined(u, signs[0] >= 0.0, normals, bridge, eye, newton_steps);
+        if let Some(even) = evened(u, signs) {
+            return beside_bridge(even, positions, normals, bridge, eye);
+        }
     }
     let position = bridge.point(u);
     let mut normal = normals[0].lerp(normals[1], u);

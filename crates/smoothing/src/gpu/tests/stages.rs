@@ -1,14 +1,19 @@
 //! Each stage against its CPU twin.
 
 use super::scene::{Frame, SHAPES, Scene, cameras, method, pipelines};
+use crate::bridges::bridge;
 use crate::feature_segments::Tangents;
 use crate::gpu::tables::Tables;
 use crate::perturbation::Perturbation;
 use crate::sampling::Sampling;
+use crate::silhouette_points::SilhouettePoint;
 use crate::silhouette_segments::SegmentLaw;
 use crate::vertex_visibility::visible;
-use crate::{Remesher as _, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
-use silhouette_core::view::Camera;
+use crate::{Remesher as _, ShadingMesh, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
+use silhouette_core::FaceId;
+use silhouette_core::id::HalfEdgeId;
+use silhouette_core::view::{Camera, Projection};
+use silhouette_testing::directions::spread;
 use silhouette_testing::gpu_or_skip;
 
 /// A sign is certain where |N . D| is above this share of |D|: 64 roundings to 32 bits.
@@ -22,6 +27,8 @@ const NEAR: f64 = 1e-5;
 struct Differences {
     points: usize,
     worst_point: f64,
+    /// Points beside their bridges, as the CPU has them.
+    beside: usize,
     segments: usize,
     other_pieces: usize,
     moved: usize,
@@ -58,6 +65,7 @@ fn compare(method: &mut Smoothing, frame: &Frame, camera: &Camera, sums: &mut Di
             let found = frame.positions[(frame.settings.groups + point) as usize];
             sums.points += 1;
             sums.worst_point = sums.worst_point.max(found.distance(expected.position) / radius);
+            sums.beside += usize::from(off_bridge(&mesh, face, slot, &expected) > 1e-3 * radius);
         }
     }
     let counts: Vec<u32> =
@@ -80,6 +88,41 @@ fn compare(method: &mut Smoothing, frame: &Frame, camera: &Camera, sums: &mut Di
         sums.moved += usize::from(*position != mesh.positions()[group]);
         sums.far_vertices += usize::from(frame.positions[group].distance(position.as_dvec3()) > 10.0 * NEAR * radius);
     }
+}
+
+/// How far a point on a side that is no feature edge is from its bridge; 0 on feature edges.
+fn off_bridge(mesh: &ShadingMesh, face: usize, slot: usize, point: &SilhouettePoint) -> f64 {
+    let half_edge = HalfEdgeId::of(FaceId::from_usize(face), slot as u32);
+    if mesh.features()[mesh.topology().edge_of(half_edge)] {
+        return 0.0;
+    }
+    let mut ends = [slot, (slot + 1) % 3].map(|slot| mesh.triangles()[face][slot] as usize);
+    ends.sort_unstable_by_key(|&end| mesh.vertices()[end]);
+    let bridge =
+        bridge(ends.map(|end| mesh.positions()[end].as_dvec3()), ends.map(|end| mesh.normals()[end].as_dvec3()));
+    bridge.point(point.u).distance(point.position)
+}
+
+/// From so near that bridges cross the contour twice.
+#[test]
+fn both_paths_have_the_same_points_beside_bridges() {
+    let Some(gpu) = gpu_or_skip("both_paths_have_the_same_points_beside_bridges") else { return };
+    let pipelines = pipelines(gpu);
+    let mut sums = Differences::default();
+    for name in ["icosphere:1", "torus:16,10", "blob:800"] {
+        let mut method = method(name, SmoothingOptions::default());
+        let mut scene = Scene::new(gpu, &pipelines, &method);
+        let bounds = method.shading_mesh().mesh().bounds().unwrap();
+        for direction in spread(12) {
+            let eye = bounds.center + 1.4 * bounds.radius * direction;
+            let projection = Projection::Perspective { fov_y_rad: 1.6 };
+            let up = direction.any_orthonormal_vector().as_vec3();
+            let camera = Camera::new(eye.as_vec3(), bounds.center.as_vec3(), up, projection, [256; 2]).unwrap();
+            let frame = scene.frame(&camera);
+            compare(&mut method, &frame, &camera, &mut sums);
+        }
+    }
+    assert!(sums.beside > 20 && sums.worst_point < NEAR, "{sums:?}");
 }
 
 #[test]
