@@ -88,7 +88,8 @@ fn what_cannot_be_baked_or_read_is_refused_in_one_line() {
     let message = refused(&["bake", "builtin:torus", "--hull", "builtin:cube", "-o", output]);
     assert!(message.contains("builtin:cube"), "{message}");
     std::fs::write(&path, b"no texture").unwrap();
-    let message = refused(&["render", output, "--method", "texture", "-o", folder.path().join("x.png").to_str().unwrap()]);
+    let message =
+        refused(&["render", output, "--method", "texture", "-o", folder.path().join("x.png").to_str().unwrap()]);
     assert!(message.contains("x.siltex"), "{message}");
     std::fs::write(checkpoint(&path), b"something of the user's own").unwrap();
     let message = refused(&bake("builtin:torus", &path));

@@ -136,7 +136,11 @@ impl Made {
 /// [`TextureError`]: none encloses the mesh.
 #[cfg(feature = "simplify")]
 pub fn hull(mesh: &TriangleMesh, vertices: u32, progress: &dyn Progress) -> Result<Hull, TextureError> {
-    Ok(Hull::enclosing(mesh, &crate::hull::HullOptions { vertices: vertices as usize }, progress)?)
+    Ok(Hull::enclosing(
+        mesh,
+        &crate::hull::HullOptions { vertices: vertices as usize, ..Default::default() },
+        progress,
+    )?)
 }
 
 /// Refuses, as this package is built without the feature `simplify`.
