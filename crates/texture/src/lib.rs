@@ -1,6 +1,55 @@
-//! Silhouette texture: detailed outlines from a coarse hull and one texture lookup per fragment.
+//! Silhouette texture: detailed outlines, inner and outer, from a hull of few vertices and one texture lookup per fragment.
 //!
-//! H. Wu, L.-Y. Wei, X. Wang and B. Guo, "Silhouette Texture", Eurographics Symposium on Rendering 2006.
+//! H. Wu, L.-Y. Wei, X. Wang and B. Guo, "Silhouette Texture", Eurographics Symposium on Rendering 2006. A coarse hull is drawn in
+//! place of a fine mesh. At each point of it a *visibility function* says in which directions the mesh is seen there; its border,
+//! as an angle per azimuth, is stored in a 3-D texture. Fragments from which the mesh is not seen are discarded.
+//!
+//! ```
+//! use silhouette_core::{NoProgress, TriangleMesh, glam::Vec3, shapes};
+//! use silhouette_texture::{Bake, BakeOptions, Hull, VolumeSize, siltex};
+//!
+//! let mesh = shapes::by_name("icosphere:3")?;
+//! // A hull of your own. `Hull::enclosing` makes one of as many vertices as you want (cargo feature `simplify`).
+//! let cage = shapes::by_name("icosphere:1")?;
+//! let corners = cage.positions().iter().map(|&corner| 1.3 * corner).collect();
+//! let hull = Hull::checked(&mesh, TriangleMesh::new(corners, cage.triangles().to_vec())?)?; // proved to enclose the mesh
+//!
+//! let size = VolumeSize { width: 64, height: 64, azimuths: 16, pages: 1 };
+//! let (texture, report) = Bake::new(&mesh, &hull, BakeOptions { size, ..BakeOptions::default() }).run(&NoProgress, None)?;
+//! println!("{:.1} rays per sample", report.rays_per_sample());
+//! # let folder = tempfile::tempdir()?;
+//! # let path = folder.path().join("ball.siltex");
+//! siltex::write(&path, &texture, &siltex::Metadata::new(), &NoProgress)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! With the feature `gpu`, which is on by default, [`Texture`], [`TextureLines`] and [`NormalMapHull`] draw it in your own wgpu pass
+//! through the convention of `silhouette_gpu`; [`gpu`] has what they are made of, for textures from files and for shading of your own.
+//!
+//! # The steps
+//!
+//! | step | paper | file |
+//! |---|---|---|
+//! | a hull that encloses the mesh | 3 | [`hull`](mod@hull) |
+//! | the hull as blocks of texels | 3.3 | [`atlas`] |
+//! | the visibility function | 3.2 | [`visibility_function`] |
+//! | the middle of its lobe, and where azimuths begin | 3.3 | [`centers`], [`tangents`], [`frame`] |
+//! | the border of the lobe at each azimuth | 3.3 | [`border_search`], [`lobe`] |
+//! | colours and normals | 3.1 | [`correspondence`] |
+//! | all of it, on all cores, interrupted and resumed | | [`bake`](mod@bake), [`tile`], [`checkpoint`] |
+//! | what sampling costs | Eq. 3 | [`sampling_error`](mod@sampling_error), [`lookup`] |
+//! | compression | 3.5 | [`compression`] |
+//! | files | | [`siltex`] |
+//! | rendering | 3.4, Eqs. 4 and 5, appendix A | `gpu` |
+//!
+//! Each file lists where it departs from the paper, and why; what is printed stays available as an option with the value
+//! `as-printed`.
+//!
+//! # When it fails
+//!
+//! Where the hull is far from the mesh, as that of few vertices is in creases, a point of it may show several parts of the mesh in
+//! directions that no single lobe holds. Shading is that of one point of the mesh per point of the hull, whatever the view. Other
+//! objects between hull and mesh are drawn as behind the hull. Meshes must not move.
 
 pub mod atlas;
 pub mod bake;

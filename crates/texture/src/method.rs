@@ -9,6 +9,9 @@ mod texture;
 mod texture_lines;
 mod textures;
 
+#[cfg(all(test, feature = "simplify"))]
+mod tests;
+
 pub use normal_map_hull::{NormalMapHull, NormalMapHullOptions};
 pub use options::{BakeChoice, Inside, WidthLaw};
 pub use pipelines::MethodPipelines;
