@@ -27,8 +27,11 @@ const FIRST_OFFSET: f64 = 1.0 / 16.0;
 /// What the estimate of the smallest offset is multiplied by, so that its surface stays below the limit.
 const FEWER_FACES: f64 = 1.05;
 
-/// With how many times the wanted vertices, or 500 if that is more, unchecked collapses leave a surface, in turn.
+/// With how many times the wanted vertices, or [`COARSE`] if that is more, unchecked collapses leave a surface, in turn.
 const TIMES: [usize; 3] = [16, 4, 2];
+
+/// Checked collapses of so few vertices take no time that matters.
+const COARSE: usize = 200;
 
 /// What [`Hull::enclosing`] is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -146,7 +149,7 @@ impl Search<'_> {
         let faces = hull.face_count();
         for times in TIMES {
             self.progress.check()?;
-            let vertices = self.vertices.max(500).saturating_mul(times);
+            let vertices = self.vertices.max(COARSE).saturating_mul(times);
             match coarsened(&hull, vertices) {
                 Ok(coarse) if self.object.by(&coarse).is_proved() => hull = coarse,
                 _ => break,

@@ -1,8 +1,7 @@
 //! Whether a segment touches a triangle, decided exactly: any point in common counts, ends and rims included.
 
-use silhouette_core::Viewpoint;
-use silhouette_core::glam::Vec3;
-use silhouette_core::orientation::{orientation, turn};
+use robust::{Coord, Coord3D, orient2d, orient3d};
+use silhouette_core::glam::{Vec2, Vec3};
 
 /// Whether a segment and a triangle have a point in common. A segment may be a point. A triangle without area has no point
 /// here: it consists of its sides, to be asked as segments. Exact. O(1).
@@ -45,19 +44,28 @@ pub fn touches_beyond_corner(end: Vec3, corners: [Vec3; 3]) -> bool {
         })
 }
 
+/// Above 0 where `d` lies on the side from which `a b c` runs counter-clockwise, 0 in their plane. Only its sign means something,
+/// which is all that is asked here: faces in one plane are common in hulls, and signs take a fraction of the time of values.
+fn orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
+    let coord = |point: Vec3| Coord3D { x: point.x, y: point.y, z: point.z };
+    -orient3d(coord(a), coord(b), coord(c), coord(d))
+}
+
 /// The plane of a triangle, looked at along an axis that it does not contain.
-struct Plane(Viewpoint);
+struct Plane(fn(Vec3) -> Vec2);
 
 impl Plane {
     /// `None` for a triangle without area.
     fn of([u, v, w]: [Vec3; 3]) -> Option<Self> {
-        let planes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| Self(Viewpoint::Orthographic { toward_viewer: axis }));
-        planes.into_iter().find(|plane| plane.turn(u, v, w) != 0.0)
+        let planes: [fn(Vec3) -> Vec2; 3] =
+            [|point| Vec2::new(point.y, point.z), |point| Vec2::new(point.z, point.x), Vec3::truncate];
+        planes.map(Self).into_iter().find(|plane| plane.turn(u, v, w) != 0.0)
     }
 
     /// Its sign is that of the turn from `a` to `b` to `c`.
     fn turn(&self, a: Vec3, b: Vec3, c: Vec3) -> f64 {
-        turn(&self.0, a, b, c)
+        let [a, b, c] = [a, b, c].map(self.0).map(|point| Coord { x: point.x, y: point.y });
+        orient2d(a, b, c)
     }
 
     /// Whether segment and triangle, both in the plane, have a point in common.
