@@ -37,7 +37,7 @@ use silhouette_core::{Cancelled, TriangleMesh};
 use std::sync::Arc;
 
 #[cfg(feature = "simplify")]
-pub use smallest::{HullOptions, LEAST_OFFSET, MOST_OFFSET, PRECISION};
+pub use smallest::{HullOptions, LEAST_OFFSET, MOST_FACES, MOST_OFFSET, PRECISION};
 
 /// A coarse mesh around the object, wound counter-clockwise seen from outside.
 #[derive(Debug, Clone)]

@@ -74,7 +74,7 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
     for subject in subjects::subjects(run.meshes) {
         let measured = || -> Result<Measurement, Cause> {
             let hulled = Hulled::new(&subject, subject.hull_vertices, progress)?;
-            let baked = hulled.bake(options(extent.side), progress)?;
+            let baked = hulled.bake(options(extent.side.max(subject.least_side())), progress)?;
             let error = sampling::error_of(&hulled, &baked.texture, AzimuthRule::Aligned, progress)?;
             Ok(Measurement { frame_ms: frames(run, &baked, &extent)?, baked, error })
         };
@@ -85,7 +85,7 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
     let of_first = PaperError::of::<Cause>(&first.of.subject.label);
     let mut measured = Measured {
         setting: format!("{0} x {0} pixels, frames by all methods in turn in the same run", drawn::SIDE_PX),
-        tables: vec![table_one::table_one(&gpu.adapter().name, extent.side, &measurements)],
+        tables: vec![table_one::table_one(&gpu.adapter().name, &measurements)],
         ..Measured::default()
     };
     let figures = || -> Result<_, Cause> {

@@ -12,6 +12,9 @@ const HULL_VERTICES: u32 = 500;
 /// From this many vertices on a mesh without a row stands for the paper's largest.
 const LARGE: usize = 500_000;
 
+/// Texels along a side of a block, gutter included: what the paper's largest model had.
+const LEAST_BLOCK: u32 = 5;
+
 /// The paper's largest model.
 const LARGEST: &str = "Lucy";
 
@@ -37,6 +40,12 @@ impl Subject {
     /// Vertices that faces use, or all: the number that Table 1 is about.
     pub fn vertices(&self) -> usize {
         self.mesh.mesh().positions().len()
+    }
+
+    /// Texels along a side at which blocks of two faces of the hull have [`LEAST_BLOCK`], a power of two: the least that is baked.
+    pub fn least_side(&self) -> u32 {
+        let blocks_per_row = f64::from(self.hull_vertices).sqrt().ceil() as u32;
+        (blocks_per_row * LEAST_BLOCK).next_power_of_two()
     }
 
     /// Why the paper's values of this model are not comparable with ours; `None` where the mesh has as many vertices.

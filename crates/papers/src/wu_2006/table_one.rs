@@ -20,15 +20,16 @@ pub struct Measurement {
 pub const SPEED_UP: &str = "speed-up";
 
 /// Table 1.
-pub fn table_one(adapter: &str, side: u32, measurements: &[Measurement]) -> Table {
+pub fn table_one(adapter: &str, measurements: &[Measurement]) -> Table {
     let hardware = format!("the paper's card is a GeForce 7800 GT, ours {adapter}");
     let whole = |title, metric, unit, meaning| Column { digits: 0, ..Column::new(title, metric, unit, meaning) };
     Table {
         name: "Table 1",
-        about: format!("{} azimuths on {side} x {side} texels of 8 bits; 512 x 512 pixels", super::printed::AZIMUTHS),
+        about: format!("{} azimuths per texel, 8 bits; 512 x 512 pixels", super::printed::AZIMUTHS),
         columns: vec![
             whole("vertices", "vertices", "", "vertices of the mesh"),
             whole("hull", "hull vertices", "", "vertices of the hull"),
+            whole("texels", "texels", "", "texels along a side"),
             Column::new("offset", "offset", "%", "distance of hull and mesh over the bounding radius of the mesh"),
             Column::new("mesh", "mesh frame", "ms", "median time of a frame of the mesh"),
             Column::new("texture", "texture frame", "ms", "median time of a frame of the texture"),
@@ -56,6 +57,8 @@ fn row(Measurement { baked, frame_ms: [mesh_ms, texture_ms], error }: &Measureme
     let cells = vec![
         Cell::one(subject.vertices() as f64).beside(paper(|row| f64::from(row.vertices)), model()),
         Cell::one(hull_vertices as f64).beside(paper(|row| f64::from(row.hull_vertices)), model()),
+        Cell::one(f64::from(baked.texture.parts().size.width))
+            .beside(paper(|_| f64::from(super::printed::SIDE)), model()),
         Cell::one(baked.of.offset_percent()),
         Cell::one(*mesh_ms).beside(paper(|row| 1000.0 / row.mesh_fps), timed()),
         Cell::one(*texture_ms).beside(paper(|row| 1000.0 / row.texture_fps), timed()),

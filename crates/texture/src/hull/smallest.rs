@@ -33,6 +33,9 @@ const TIMES: [usize; 3] = [16, 4, 2];
 /// Checked collapses of so few vertices take no time that matters.
 const COARSE: usize = 200;
 
+/// Most faces of an offset surface, whatever the wanted vertices: more take minutes.
+pub const MOST_FACES: usize = 1 << 21;
+
 /// What [`Hull::enclosing`] is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HullOptions {
@@ -42,8 +45,8 @@ pub struct HullOptions {
     /// far as the shape of the hull is concerned: otherwise it leads through them and covers the object's inside, too. 0
     /// closes none.
     pub closed_holes: f64,
-    /// Faces of the finest offset surface per wanted vertex, of which at least 100 count: no smaller offset
-    /// is tried. The hull comes closer with the inverse square root, and time is proportional.
+    /// Faces of the finest offset surface per wanted vertex, of which at least 100 count, up to [`MOST_FACES`] in all: no smaller
+    /// offset is tried. The hull comes closer with the inverse square root, and time is proportional.
     pub faces_per_vertex: usize,
 }
 
@@ -68,7 +71,7 @@ impl Hull {
     /// [`HullError`].
     pub fn enclosing(object: &TriangleMesh, options: &HullOptions, progress: &dyn Progress) -> Result<Self, HullError> {
         let vertices = options.vertices;
-        let most_faces = vertices.max(100).saturating_mul(options.faces_per_vertex);
+        let most_faces = vertices.max(100).saturating_mul(options.faces_per_vertex).min(MOST_FACES);
         if vertices < 4 {
             return Err(HullError::TooFewVertices(vertices));
         }

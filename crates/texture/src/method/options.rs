@@ -48,7 +48,7 @@ macro_rules! texture_options {
                 /// Texels along either side of a page.
                 pub size: u32 = whole("size", 8..=16384 "texels", default 256),
                 /// Azimuths at which each texel's lobe is sampled.
-                pub azimuths: u32 = whole("azimuths", 3..=1024, default 64),
+                pub azimuths: u32 = whole("azimuths", 3..=1024, default 32),
                 /// 3-D textures that the hull is spread over, for sizes that no single one can have.
                 pub pages: u32 = whole("pages", 1..=1024, default 1),
                 /// Which outlines are kept: inner and outer ones, or outer ones alone.
