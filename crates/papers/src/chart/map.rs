@@ -11,7 +11,7 @@ const PER_ROW: usize = 2;
 const FIELD: [f64; 2] = [122.0, 46.0];
 
 /// Width of the words beside rows, height of the words above columns, and the space between panels.
-const LABELS: f64 = 118.0;
+const LABELS: f64 = 140.0;
 const HEAD: f64 = 68.0;
 const BETWEEN: f64 = 28.0;
 
@@ -46,7 +46,7 @@ pub struct Field {
 
 impl Field {
     /// A field with both values.
-    pub fn new(ratio: f64, values: [String; 2]) -> Self {
+    pub fn new(ratio: f64, values: &[String; 2]) -> Self {
         Self { ratio, words: values.join(" | ") }
     }
 }
@@ -178,7 +178,7 @@ mod tests {
             title: "A measure",
             columns: vec![label("near"), label("far")],
             rows: vec![label("small"), label("large")],
-            fields: ratios.map(|ratio| Field::new(ratio, ["1 kB".to_owned(), "2 kB".to_owned()])).to_vec(),
+            fields: ratios.map(|ratio| Field::new(ratio, &["1 kB".to_owned(), "2 kB".to_owned()])).to_vec(),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::chart::map::{Field, Panel};
 use crate::chart::{Chart, map};
 use crate::error::Cause;
 use crate::table::{Cell, Column, Row, Table};
-use silhouette_baselines::LodMesh;
+use silhouette_baselines::{LodMesh, LodMeshOptions};
 use silhouette_compare::drawing::{Drawing, Ground};
 use silhouette_compare::metrics::PictureKind;
 use silhouette_compare::registry::Entry;
@@ -90,7 +90,7 @@ impl Place {
 /// [`Cause`]: cancelled, or a device that failed.
 pub fn measure(gpu: &Gpu, subject: &Subject, extent: Extent, progress: &dyn Progress) -> Result<(Table, Chart), Cause> {
     let fine = subject.mesh.mesh();
-    let lod = LodMesh::prepare(&subject.mesh, &Default::default(), progress)?;
+    let lod = LodMesh::prepare(&subject.mesh, &LodMeshOptions::default(), progress)?;
     let mut levels = levels(gpu, &lod, SAMPLES, progress)?;
     let from = |&distance| Ok((distance, Views::from_afar(gpu, fine, extent.views, distance, progress)?, Vec::new()));
     let mut distances = extent.distances.iter().map(from).collect::<Result<Vec<_>, Cause>>()?;
@@ -237,13 +237,13 @@ fn chart(extent: Extent, places: &[Place]) -> Chart {
         fields: places.iter().map(field).collect(),
     };
     let panels = [
-        panel("Wrong area at equal bytes", &|place| Field::new(place.error_ratio(), place.xor.map(percent))),
-        panel("Frame time at equal bytes", &|place| Field::new(place.time_ratio(), place.ms.map(milliseconds))),
+        panel("Wrong area at equal bytes", &|place| Field::new(place.error_ratio(), &place.xor.map(percent))),
+        panel("Frame time at equal bytes", &|place| Field::new(place.time_ratio(), &place.ms.map(milliseconds))),
         panel("Bytes at equal wrong area", &|place| {
-            Field::new(place.level_bytes_ratio(), [place.bytes[0], place.level_bytes].map(kilobytes))
+            Field::new(place.level_bytes_ratio(), &[place.bytes[0], place.level_bytes].map(kilobytes))
         }),
         panel("Frame time at equal wrong area", &|place| {
-            Field::new(place.level_time_ratio(), [place.ms[0], place.level_ms].map(milliseconds))
+            Field::new(place.level_time_ratio(), &[place.ms[0], place.level_ms].map(milliseconds))
         }),
     ];
     let svg = map::draw(&panels, ["levels of detail win", "the texture wins"]);

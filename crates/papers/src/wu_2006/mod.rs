@@ -73,7 +73,7 @@ impl Extent {
         let rounds = if profile == Profile::Full { 9 } else { 3 };
         #[cfg(feature = "simplify")]
         let against_lod = match profile {
-            Profile::Quick => against_lod::Extent { sides: &[64, 128], distances: &[1.0, 4.0, 16.0], views: 3, rounds },
+            Profile::Quick => against_lod::Extent { sides: &[64, 96], distances: &[1.0, 4.0, 16.0], views: 3, rounds },
             Profile::Full => against_lod::Extent {
                 sides: &[64, 128, 256, 512],
                 distances: &[1.0, 2.0, 4.0, 8.0, 16.0],
