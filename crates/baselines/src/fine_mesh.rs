@@ -1,19 +1,10 @@
 //! [`FineMesh`]: the mesh itself, drawn as it is.
 
+use crate::shading::Shading;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
 use std::sync::Arc;
-
-silhouette_core::option_choice! {
-    /// How faces look.
-    pub enum Shading {
-        /// Lit from the viewer's upper left by Lambert's law.
-        Lit = "lit",
-        /// In one grey.
-        Flat = "flat",
-    }
-}
 
 silhouette_core::method_options! {
     /// Options of [`FineMesh`].
@@ -65,11 +56,8 @@ impl Method for FineMesh {
 
 #[cfg(feature = "gpu")]
 mod gpu {
-    use super::{FineMesh, Shading};
-    use silhouette_gpu::{
-        Color, Cull, FillPipelines, FillRenderer, FillStyle, FillsImage, MeshBuffers, RendererError, Shade,
-        TargetFormats,
-    };
+    use super::FineMesh;
+    use silhouette_gpu::{FillPipelines, FillRenderer, FillsImage, MeshBuffers, RendererError, TargetFormats};
     use std::sync::Arc;
 
     impl FillsImage for FineMesh {
@@ -77,12 +65,7 @@ mod gpu {
         type Renderer = FillRenderer;
 
         fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<FillPipelines, RendererError> {
-            let color = Color { srgb: [self.options.grey; 3], alpha: 1.0 };
-            let shade = match self.options.shading {
-                Shading::Lit => Shade::Lit(color),
-                Shading::Flat => Shade::Flat(color),
-            };
-            Ok(FillPipelines::new(device, formats, FillStyle { shade, cull: Cull::None }))
+            Ok(FillPipelines::new(device, formats, self.options.shading.style(self.options.grey)))
         }
 
         fn renderer(

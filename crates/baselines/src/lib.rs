@@ -1,8 +1,23 @@
 //! What published methods are measured against.
 //!
 //! [`FineMesh`]: the mesh itself, rasterised. A method that fills the outline of a coarse mesh as a finer one would have it is
-//! compared with that finer mesh, drawn by this.
+//! compared with that finer mesh, drawn by this. [`LodMesh`] (cargo feature `simplify`): a chain of simplified meshes, one of
+//! which is chosen for each view, as engines do.
 
 mod fine_mesh;
+#[cfg(feature = "simplify")]
+mod lod_chain;
+#[cfg(feature = "simplify")]
+mod lod_mesh;
+#[cfg(all(feature = "simplify", feature = "gpu"))]
+mod lod_renderer;
+mod shading;
 
-pub use fine_mesh::{FineMesh, FineMeshOptions, Shading};
+pub use fine_mesh::{FineMesh, FineMeshOptions};
+#[cfg(feature = "simplify")]
+pub use lod_chain::LodLevel;
+#[cfg(feature = "simplify")]
+pub use lod_mesh::{LodMesh, LodMeshOptions};
+#[cfg(all(feature = "simplify", feature = "gpu"))]
+pub use lod_renderer::LodRenderer;
+pub use shading::Shading;

@@ -16,6 +16,8 @@ mod entry;
 pub use entry::{Capabilities, Entry, EntryBuilder, FillMethod, LineMethod, Prepared};
 
 use silhouette_baselines::FineMesh;
+#[cfg(feature = "simplify")]
+use silhouette_baselines::LodMesh;
 use silhouette_core::Method;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_image_precision::ImagePrecision;
@@ -45,9 +47,9 @@ pub struct UnknownMethod {
 }
 
 impl Registry {
-    /// Every method of this workspace.
+    /// Every method of this workspace; `lod-mesh` with the cargo feature `simplify` alone.
     pub fn builtin() -> Self {
-        Self::default()
+        let methods = Self::default()
             .with(Entry::of::<BruteForce>().loops())
             .with(Entry::of::<BruteForceSimd>().loops())
             .with(Entry::of::<ClusterCones>().loops())
@@ -64,7 +66,10 @@ impl Registry {
             .with(Entry::of::<AdaptiveRefinement>().fill().triangles())
             .with(Entry::of::<Texture>().fill())
             .with(Entry::of::<TextureLines>().lines())
-            .with(Entry::of::<NormalMapHull>().fill())
+            .with(Entry::of::<NormalMapHull>().fill());
+        #[cfg(feature = "simplify")]
+        let methods = methods.with(Entry::of::<LodMesh>().fill());
+        methods
     }
 
     /// The same methods and one more; one of the same name is replaced.

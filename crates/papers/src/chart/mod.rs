@@ -1,9 +1,10 @@
 //! Charts of tables, as SVG.
 //!
 //! [`trade`]: two metrics against each other, a panel per table and a mark per row. [`bars`]: metrics side by side, a bar per
-//! row. `place`: where words beside marks have room.
+//! row. [`map`]: two rivals over a grid. `place`: where words beside marks have room.
 
 pub mod bars;
+pub mod map;
 mod place;
 pub mod trade;
 

@@ -1,14 +1,12 @@
 //! Fig. 11: frame time by projected size.
 
 use super::baked::Baked;
-use super::drawn::drawing;
-use super::timed::{farther, time};
-use crate::directions::spread;
+use super::drawn::{Views, drawing};
+use super::timed::time;
 use crate::error::Cause;
 use crate::table::{Cell, Column, Row, Table};
 use silhouette_baselines::FineMesh;
 use silhouette_compare::drawing::Ground;
-use silhouette_compare::metrics::FilledPicture;
 use silhouette_compare::registry::Entry;
 use silhouette_core::Progress;
 use silhouette_render::Gpu;
@@ -36,15 +34,9 @@ pub fn measure(gpu: &Gpu, baked: &Baked, rounds: u32, progress: &dyn Progress) -
     let mut rows = Vec::new();
     for distance in DISTANCES {
         let times = time(gpu, fine, [&mut mesh_drawing, &mut texture], distance, rounds, progress)?;
-        let mut covered = 0.0;
-        for direction in spread(rounds) {
-            let camera = farther(&super::drawn::camera(fine, direction, super::drawn::SIDE_PX)?, distance)?;
-            mesh_drawing.draw(gpu, &camera)?;
-            let picture = FilledPicture::new(mesh_drawing.picture(gpu)?);
-            covered += picture.coverage().coverages().iter().map(|&coverage| f64::from(coverage)).sum::<f64>();
-        }
+        let covered_px = Views::from_afar(gpu, fine, rounds, distance, progress)?.covered_px();
         let [mesh_ms, texture_ms] = times;
-        let values = [covered / f64::from(rounds), mesh_ms, texture_ms, mesh_ms / texture_ms];
+        let values = [covered_px, mesh_ms, texture_ms, mesh_ms / texture_ms];
         rows.push(Row::new(format!("{distance} ×"), values.map(Cell::one).to_vec()));
     }
     Ok(Table {

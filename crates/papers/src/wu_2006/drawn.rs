@@ -1,5 +1,6 @@
 //! Pictures of a baked subject, and what they score against the fine mesh.
 
+use super::timed::farther;
 use crate::directions::spread;
 use crate::error::Cause;
 use silhouette_compare::drawing::{Drawing, FrameStyle, Ground};
@@ -45,8 +46,12 @@ pub fn drawing(
     let options = OptionValues::parse(entry.info().options, words.split_whitespace())?;
     let prepared = entry.prepare(mesh, &options, progress)?;
     let kind = if entry.capabilities().fill { PictureKind::Fill } else { PictureKind::Lines };
-    let style = FrameStyle { size: [SIDE_PX; 2], pen_width_px: 1.0, samples, ground };
-    Ok(Drawing::new(gpu, mesh, prepared, kind, style)?)
+    Ok(Drawing::new(gpu, mesh, prepared, kind, frame_style(samples, ground))?)
+}
+
+/// Frames of this size, with a number of samples per pixel.
+pub fn frame_style(samples: u32, ground: Ground) -> FrameStyle {
+    FrameStyle { size: [SIDE_PX; 2], pen_width_px: 1.0, samples, ground }
 }
 
 /// What an outline scores, averaged over views.
@@ -71,15 +76,34 @@ impl Views {
     /// # Errors
     /// [`Cause`]: cancelled, or a device that failed.
     pub fn new(gpu: &Gpu, fine: &TriangleMesh, count: u32, progress: &dyn Progress) -> Result<Self, Cause> {
+        Self::from_afar(gpu, fine, count, 1.0, progress)
+    }
+
+    /// The same `distance` times as far as where the bounding sphere fits the picture.
+    ///
+    /// # Errors
+    /// [`Cause`]: cancelled, or a device that failed.
+    pub fn from_afar(
+        gpu: &Gpu,
+        fine: &TriangleMesh,
+        count: u32,
+        distance: f64,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cause> {
         let mut truth = FillTruth::new(gpu, fine)?;
         let view = |direction| -> Result<_, Cause> {
             progress.check()?;
-            let camera = camera(fine, direction, SIDE_PX)?;
+            let camera = farther(&camera(fine, direction, SIDE_PX)?, distance)?;
             let picture = truth.find(gpu, &camera)?;
             let area = picture.coverage().coverages().iter().map(|&coverage| f64::from(coverage)).sum();
             Ok((camera, picture, area))
         };
         Ok(Self { views: spread(count).map(view).collect::<Result<_, _>>()? })
+    }
+
+    /// Pixels that the fine mesh covers, averaged over views.
+    pub fn covered_px(&self) -> f64 {
+        self.views.iter().map(|(_, _, area)| area).sum::<f64>() / self.views.len() as f64
     }
 
     /// Scores what a method draws.

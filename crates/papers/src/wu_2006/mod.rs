@@ -5,11 +5,19 @@
 //! 2. `drawn`: pictures and what they score. `timed`: frames of several methods in turn.
 //! 3. `table_one`: Table 1. `sampling`: sections 3.2 and 3.3. `compressed`: Fig. 10. `distances`: Fig. 11. `outlines`: Figs. 6, 13
 //!    and 14.
+//! 4. `against_lod`, with the cargo feature `simplify`: the map of who wins against levels of detail, at equal bytes
+//!    (`equal_bytes`) and at equal wrong area (`equal_area`).
 
+#[cfg(feature = "simplify")]
+mod against_lod;
 mod baked;
 mod compressed;
 mod distances;
 mod drawn;
+#[cfg(feature = "simplify")]
+mod equal_area;
+#[cfg(feature = "simplify")]
+mod equal_bytes;
 mod outlines;
 mod printed;
 mod sampling;
@@ -56,13 +64,34 @@ struct Extent {
     many_side: u32,
     views: u32,
     rounds: u32,
+    #[cfg(feature = "simplify")]
+    against_lod: against_lod::Extent,
 }
 
 impl Extent {
     fn of(profile: Profile) -> Self {
-        match profile {
-            Profile::Quick => Self { side: 128, many_side: 96, views: 4, rounds: 3 },
-            Profile::Full => Self { side: SIDE, many_side: SIDE / 2, views: 20, rounds: 9 },
+        let rounds = if profile == Profile::Full { 9 } else { 3 };
+        #[cfg(feature = "simplify")]
+        let against_lod = match profile {
+            Profile::Quick => against_lod::Extent { sides: &[64, 96], distances: &[1.0, 4.0, 16.0], views: 3, rounds },
+            Profile::Full => against_lod::Extent {
+                sides: &[64, 128, 256, 512],
+                distances: &[1.0, 2.0, 4.0, 8.0, 16.0],
+                views: 20,
+                rounds,
+            },
+        };
+        let (side, many_side, views) = match profile {
+            Profile::Quick => (128, 96, 4),
+            Profile::Full => (SIDE, SIDE / 2, 20),
+        };
+        Self {
+            side,
+            many_side,
+            views,
+            rounds,
+            #[cfg(feature = "simplify")]
+            against_lod,
         }
     }
 }
@@ -101,6 +130,13 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
     measured.tables.extend(tables);
     measured.pictures = pictures;
     measured.notes = notes;
+    #[cfg(feature = "simplify")]
+    {
+        let against_lod = against_lod::measure(gpu, &first.of.subject, extent.against_lod, progress);
+        let (table, chart) = against_lod.map_err(of_first)?;
+        measured.tables.push(table);
+        measured.charts.push(chart);
+    }
     for baked in &all {
         let label = &baked.of.subject.label;
         let distances = distances::measure(gpu, baked, extent.rounds, progress);
