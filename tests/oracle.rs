@@ -42,7 +42,7 @@ fn check(points: &[[i32; 3]], triangles: &[[u32; 3]], viewpoint: [i32; 3]) {
     let prepared = prepared(mesh);
     let topology: Arc<Topology> = artefact(&prepared);
     let integers: Vec<Integers> = points.iter().map(|p| p.map(i128::from)).collect();
-    for entry in Registry::builtin().entries() {
+    for entry in Registry::builtin().entries().iter().filter(|entry| entry.capabilities().edges) {
         let info = entry.info();
         let method = match entry.prepare(&prepared, &OptionValues::defaults(info.options), &NoProgress) {
             Ok(prepared) => prepared.into_edges(),

@@ -271,6 +271,7 @@ mod tests {
     use silhouette_core::shapes;
     use silhouette_core::view::{Framing, ViewPreset};
     use silhouette_testing::gpu_or_skip;
+    use silhouette_testing::prepare::cheap_options;
 
     fn cube_and_camera() -> (Arc<PreparedMesh>, Camera) {
         let mesh = Arc::new(PreparedMesh::new(shapes::by_name("cube").unwrap()));
@@ -305,7 +306,7 @@ mod tests {
             if !(can.lines || can.edges) {
                 continue;
             }
-            let options = OptionValues::defaults(entry.info().options);
+            let options = cheap_options(entry.info().options);
             let [sharp, smooth] = [1, 4].map(|samples| {
                 let style = style(samples, Ground::Paper);
                 render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image

@@ -109,6 +109,7 @@ mod tests {
     use super::*;
     use silhouette_core::method::OptionValues;
     use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh};
+    use silhouette_testing::prepare::cheap_options;
     use std::collections::BTreeSet;
     use std::sync::Arc;
 
@@ -163,7 +164,7 @@ mod tests {
         for entry in Registry::builtin().entries() {
             let info = entry.info();
             let mesh = Arc::new(PreparedMesh::new(silhouette_core::shapes::by_name("cube").unwrap()));
-            entry.prepare(&mesh, &OptionValues::defaults(info.options), &NoProgress).unwrap();
+            entry.prepare(&mesh, &cheap_options(info.options), &NoProgress).unwrap();
             let report = mesh.report();
             let asked: BTreeSet<_> = report.iter().filter(|a| a.asked_by.contains(info.name)).map(|a| a.name).collect();
             assert_eq!(asked, BTreeSet::from_iter(info.needs.iter().copied()), "{}", info.name);

@@ -26,7 +26,7 @@
 //! | [`random`] | seeded random numbers |
 //! | [`directions`] | directions spread over the sphere, along axes, one per octant |
 //! | [`views`] | cameras that frame a mesh, orbits, viewpoints that are hard to get right |
-//! | [`prepare`](mod@prepare) | a prepared mesh, an artefact, a method with its defaults |
+//! | [`prepare`](mod@prepare) | a prepared mesh, an artefact, a method with its defaults, options that prepare quickly |
 //! | [`edges`] | end points and lengths of edges in double precision |
 //! | [`progress`] | progress that cancels |
 //! | [`threads`] | work in a pool of a given size |

@@ -50,6 +50,10 @@ fn brute_force_scores_as_the_truth_that_it_is() {
     let Some(gpu) = gpu_or_skip("brute_force_scores_as_the_truth_that_it_is") else { return };
     let mut scene = Profile::Quick.scene();
     (scene.path.frames, scene.path.scored) = (12, 3);
+    for method in ["texture", "texture-lines", "normal-map-hull"] {
+        scene.set(&format!("{method}.hull-vertices=60"), &Registry::builtin()).unwrap();
+        scene.set(&format!("{method}.size=64"), &Registry::builtin()).unwrap();
+    }
     let config = CompareConfig::new(scene, &Registry::builtin()).unwrap();
     let comparison = run(&config, &[subject("torus", "torus")], gpu, &NoProgress).unwrap();
     let registry = Registry::builtin();
