@@ -85,7 +85,8 @@ fn a_ray_is_shown_exactly_if_it_meets_the_object() {
 fn rays_at_real_meshes_are_shown_exactly_if_they_meet_them() {
     for name in ["stanford-bunny.obj", "armadillo.obj", "dragon.ply"] {
         let Some(mesh) = real_meshes::real_mesh("exact_rays", name) else { continue };
-        let hull = Hull::enclosing(&mesh, &HullOptions { vertices: 1000, ..HullOptions::default() }, &NoProgress).unwrap();
+        let hull =
+            Hull::enclosing(&mesh, &HullOptions { vertices: 1000, ..HullOptions::default() }, &NoProgress).unwrap();
         let tally = tally(&mesh, &hull, VisibilityRule::Interior, 20_000);
         assert_eq!((tally.lost, tally.invented), (0, 0), "{name}: {tally:?}");
         assert!(tally.layers > 1 && tally.hits > 2000, "{name}: {tally:?}");
