@@ -18,15 +18,22 @@ struct Span {
     end: f32,
 }
 
+// Devices may be wrong by 4096 units in the last place in `atan2` (and in `asin`, which is not used for that reason): more than
+// borders are. Two numbers of which one is not 0; followed by a step of Newton's.
+fn precise_atan2(y: f32, x: f32) -> f32 {
+    let angle = atan2(y, x);
+    return angle + (y * cos(angle) - x * sin(angle)) / (x * x + y * y);
+}
+
 // The angles at which directions enter a face, from the parts of its normal along the centre and across it.
 fn span_of(along: f32, aside: f32) -> Span {
     if along < 0.0 {
-        return Span(0.0, atan2(-along, aside));
+        return Span(0.0, precise_atan2(-along, aside));
     }
     if along == 0.0 && aside == 0.0 {
         return Span(HALF_TURN, HALF_TURN);
     }
-    return Span(clamp(atan2(along, -aside), 0.0, HALF_TURN), HALF_TURN);
+    return Span(clamp(precise_atan2(along, -aside), 0.0, HALF_TURN), HALF_TURN);
 }
 
 fn push_border(angle: f32) {
@@ -83,7 +90,8 @@ fn lobe_angle(span: Span) -> f32 {
         first = select(first, end, index == start_index && start <= 0.0);
     }
     if settings.lobe_rule == EQUAL_AREA {
-        return 2.0 * asin(sqrt(clamp(area, 0.0, 1.0)));
+        let share = clamp(area, 0.0, 1.0);
+        return 2.0 * precise_atan2(sqrt(share), sqrt(1.0 - share));
     }
     return select(first, last, settings.lobe_rule == LAST_EXIT);
 }
