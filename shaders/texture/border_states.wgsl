@@ -49,7 +49,7 @@ struct Search {
 
 var<private> search: Search;
 // The borders that are expected, ascending.
-var<private> guesses: array<f32, 6>;
+var<private> guesses: array<f32, MOST_BORDERS>;
 var<private> guess_count: u32;
 var<private> slack: f32;
 

@@ -9,7 +9,7 @@ const EQUAL_AREA: u32 = 0u;
 const LAST_EXIT: u32 = 1u;
 
 // The borders of the meridian that is searched, ascending, in radians.
-var<private> borders: array<f32, 66>;
+var<private> borders: array<f32, BORDER_ROOM>;
 var<private> border_count: u32;
 var<private> is_shown_first: bool;
 

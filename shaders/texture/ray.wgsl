@@ -20,7 +20,7 @@ struct Ray {
     shear: vec3<f32>,
 }
 
-var<private> stack: array<u32, 64>;
+var<private> stack: array<u32, STACK>;
 var<private> steps: u32;
 var<private> is_lost: bool;
 

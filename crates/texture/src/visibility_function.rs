@@ -78,7 +78,7 @@ impl VisibilityFunction {
     }
 
     /// Distance within which exits do not count, in units of the object's space.
-    pub(crate) fn beyond(&self) -> f64 {
+    pub fn beyond(&self) -> f64 {
         self.beyond
     }
 

@@ -10,7 +10,7 @@
 //! Departures from the CPU's bake:
 //!
 //! 1. Rays are cast in `f32` throughout, from points that were placed in `f64`: single rays at the very border of the object may
-//!    go the other way. Between runs on one device the result is the same to the last bit.
+//!    go the other way. On one device, the result is the same to the last bit for every run.
 //! 2. Where an invocation visits too many nodes and faces, or the device ends its loops early (Mesa's llvmpipe ends all loops after
 //!    65 535 turns, in silence), the CPU bakes the tile: [`GpuBakeReport::cpu_tiles`].
 
@@ -124,7 +124,7 @@ fn put_angles(start: &mut Start, found: &Found, slots: usize, source: &Source<'_
     for azimuth in 0..azimuths {
         for (&slot, grazed) in start.slots.iter().zip(&mut grazed) {
             let [share, distance] = found.samples[azimuth * slots + slot as usize];
-            if share < 0.0 {
+            if share.is_nan() || share < 0.0 {
                 return false;
             }
             angles.push(share);
