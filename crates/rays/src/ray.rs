@@ -19,6 +19,10 @@
 //! `3 x 2^-24 x 3`, a slab's parameter by as much as if its plane were moved by `3 x 2^-24 x 6`, and the stand-in for components
 //! of the direction below `2^-23` moves the ray by `6 x 2^-23`. In all below `48 x 2^-24`, a third of the growth.
 
+mod flat;
+
+pub use flat::FlatNode;
+
 use crate::hierarchy::{Boxed, build};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;

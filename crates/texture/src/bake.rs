@@ -23,14 +23,14 @@ use crate::correspondence::{ColorAt, Correspondence};
 use crate::fingerprint::Fingerprint;
 use crate::hull::Hull;
 use crate::lobe::LobeRule;
-use crate::silhouette_texture::{Angles, Parts, PartsError, SilhouetteTexture, VisibilityRule};
+use crate::silhouette_texture::{PartsError, SilhouetteTexture, VisibilityRule};
 use crate::tangents::tangents;
-use crate::tile::{Baked, Middle, Source, Tile};
+use crate::target::Target;
+use crate::tile::{Middle, Source, Tile};
 use crate::tile_bytes;
 use crate::visibility_function::VisibilityFunction;
 use crate::volume_size::VolumeSize;
 use glam::Vec3;
-use half::f16;
 use rayon::prelude::*;
 use silhouette_core::method::OptionChoice;
 use silhouette_core::{Cancelled, FaceId, Progress, TriangleMesh, glam};
@@ -171,17 +171,18 @@ pub enum BakeError {
     Parts(#[from] PartsError),
 }
 
-/// Arrays of the texture, filled tile by tile.
-struct Target {
-    parts: Parts,
-    report: BakeReport,
-    is_done: Vec<bool>,
-}
-
 impl<'a> Bake<'a> {
     /// An object without colours and a hull around it. Where the hull does not enclose the object, outlines have holes.
     pub fn new(mesh: &'a TriangleMesh, hull: &'a Hull, options: BakeOptions) -> Self {
         Self { mesh, hull, options, colors: None }
+    }
+
+    pub(crate) fn hull(&self) -> &'a Hull {
+        self.hull
+    }
+
+    pub(crate) fn options(&self) -> &BakeOptions {
+        &self.options
     }
 
     /// With the object's colours.
@@ -200,17 +201,26 @@ impl<'a> Bake<'a> {
         progress: &dyn Progress,
         checkpoint: Option<&Path>,
     ) -> Result<(SilhouetteTexture, BakeReport), BakeError> {
+        self.prepare(progress, |source, tiles, target| self.bake_tiles(source, tiles, target, progress, checkpoint))
+    }
+
+    /// Prepares what all tiles are baked from, and passes it to `work` with the tiles and the arrays to fill.
+    pub(crate) fn prepare<T, E: From<BakeError>>(
+        &self,
+        progress: &dyn Progress,
+        work: impl FnOnce(&Source<'_>, &[Tile], Target) -> Result<T, E>,
+    ) -> Result<T, E> {
         let options = &self.options;
         if self.mesh.face_count() == 0 {
-            return Err(BakeError::NoFaces);
+            return Err(BakeError::NoFaces.into());
         }
         if !(1..=MOST_DETAIL).contains(&options.detail) {
-            return Err(BakeError::Detail(options.detail));
+            return Err(BakeError::Detail(options.detail).into());
         }
-        let atlas = Atlas::new(self.hull, options.size, options.gutter)?;
+        let atlas = Atlas::new(self.hull, options.size, options.gutter).map_err(BakeError::from)?;
         let tiles = Tile::all(&atlas);
         let visibility = VisibilityFunction::new(self.mesh, self.hull, options.rule);
-        let centers = centers(self.hull, &visibility, progress)?;
+        let centers = centers(self.hull, &visibility, progress).map_err(BakeError::from)?;
         let tangents = tangents(self.hull, &centers);
         let correspondence =
             Correspondence::new(self.mesh, visibility.object(), self.hull, options.crease_deg, self.colors);
@@ -229,11 +239,22 @@ impl<'a> Bake<'a> {
             },
             detail: options.detail,
         };
-        let mut target = Target::new(self, &atlas, tiles.len(), &centers, &tangents);
+        work(&source, &tiles, Target::new(self, &atlas, tiles.len(), &centers, &tangents))
+    }
+
+    fn bake_tiles(
+        &self,
+        source: &Source<'_>,
+        tiles: &[Tile],
+        mut target: Target,
+        progress: &dyn Progress,
+        checkpoint: Option<&Path>,
+    ) -> Result<(SilhouetteTexture, BakeReport), BakeError> {
+        let (atlas, options) = (source.atlas, &self.options);
         let checkpoint = checkpoint
             .map(|path| {
                 let at = |source| BakeError::Checkpoint { path: path.to_owned(), source };
-                let restore = |tile: u32, bytes: &[u8]| target.restore(&atlas, &tiles, tile, bytes);
+                let restore = |tile: u32, bytes: &[u8]| target.restore(atlas, tiles, tile, bytes);
                 Checkpoint::open(path, self.fingerprint(), tiles.len() as u32, restore)
                     .map(|file| (file, at))
                     .map_err(at)
@@ -245,19 +266,18 @@ impl<'a> Bake<'a> {
         let target = Mutex::new(target);
         left.into_par_iter().try_for_each(|index| {
             progress.check()?;
-            let baked = tiles[index].bake(&source);
+            let baked = tiles[index].bake(source);
             if let Some((file, at)) = &checkpoint {
                 let bytes = tile_bytes::write(&baked, options.format);
                 file.append(index as u32, &bytes).map_err(|error| at(CheckpointError::Io(error)))?;
             }
             // Tiles do not overlap: what a thread leaves behind when it panics is never read.
             let mut target = target.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            target.put(&atlas, &tiles[index], &baked);
+            target.put(atlas, &tiles[index], &baked);
             progress.advance(1);
             Ok::<(), BakeError>(())
         })?;
-        let target = target.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        Ok((SilhouetteTexture::new(target.parts)?, target.report))
+        target.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).finish()
     }
 
     /// A hash of all that the result depends on. Colours enter by their values at the middles and corners of faces.
@@ -280,101 +300,5 @@ impl<'a> Bake<'a> {
             }
         }
         hash.finish()
-    }
-}
-
-impl Target {
-    fn new(bake: &Bake<'_>, atlas: &Atlas, tiles: usize, centers: &[Vec3], tangents: &[Vec3]) -> Self {
-        let BakeOptions { size, detail, rule, .. } = bake.options;
-        let (texels, samples) = (size.texels() as usize, size.samples() as usize);
-        let details = texels * (detail * detail) as usize;
-        let block_texels = u64::from(atlas.side()).pow(2) * atlas.blocks().len() as u64;
-        Self {
-            parts: Parts {
-                hull: bake.hull.clone(),
-                centers: centers.to_vec(),
-                tangents: tangents.to_vec(),
-                places: atlas.places(),
-                size,
-                rule,
-                angles: match bake.options.format {
-                    AngleFormat::Unorm8 => Angles::Unorm8(vec![0; samples]),
-                    AngleFormat::Float16 => Angles::Float16(vec![f16::ZERO; samples]),
-                },
-                texel_centers: (bake.options.centers == CenterRule::Texel).then(|| vec![[f16::ZERO; 4]; texels]),
-                gaps: vec![f16::ZERO; texels],
-                detail,
-                colors: vec![[0; 4]; details],
-                normals: vec![[f16::ZERO; 4]; details],
-            },
-            report: BakeReport {
-                blocks: atlas.blocks().len(),
-                block_side: atlas.side(),
-                utilisation: atlas.utilisation(),
-                samples: block_texels * u64::from(size.azimuths),
-                rays: 0,
-                scans: 0,
-                texels: block_texels,
-                hidden_centers: 0,
-                restored_tiles: 0,
-                tiles: tiles as u64,
-            },
-            is_done: vec![false; tiles],
-        }
-    }
-
-    /// Puts a tile from a checkpoint in its place, if it is one.
-    fn restore(&mut self, atlas: &Atlas, tiles: &[Tile], index: u32, bytes: &[u8]) -> bool {
-        let Some(tile) = tiles.get(index as usize) else { return false };
-        let format = match &self.parts.angles {
-            Angles::Float16(_) => AngleFormat::Float16,
-            _ => AngleFormat::Unorm8,
-        };
-        let Some(baked) = tile_bytes::read(tile, format, self.parts.size.azimuths, self.parts.detail, bytes) else {
-            return false;
-        };
-        if !std::mem::replace(&mut self.is_done[index as usize], true) {
-            self.put(atlas, tile, &baked);
-            self.report.restored_tiles += 1;
-        }
-        true
-    }
-
-    /// Puts a tile in its place.
-    fn put(&mut self, atlas: &Atlas, tile: &Tile, baked: &Baked) {
-        let (block, size, parts) = (&atlas.blocks()[tile.block], self.parts.size, &mut self.parts);
-        let unit = parts.hull.mesh().bounds().map_or(1.0, |bounds| bounds.radius) as f32;
-        let (left, top) = (block.x + tile.x, block.y + tile.y);
-        let texels = (tile.width * tile.height) as usize;
-        for index in 0..texels as u32 {
-            let (x, y) = (left + index % tile.width, top + index / tile.width);
-            for azimuth in 0..size.azimuths {
-                let share = baked.angles[azimuth as usize * texels + index as usize];
-                let sample = size.sample(block.page, azimuth, x, y);
-                match &mut parts.angles {
-                    Angles::Unorm8(values) => values[sample] = tile_bytes::to_unorm8(share),
-                    Angles::Float16(values) => values[sample] = f16::from_f32(share),
-                    Angles::Terms(_) => {}
-                }
-            }
-            let texel = size.texel(block.page, x, y);
-            parts.gaps[texel] = f16::from_f32(baked.gaps[index as usize] / unit);
-            if let Some(centers) = &mut parts.texel_centers {
-                centers[texel] = baked.centers[index as usize];
-            }
-        }
-        let (detail, columns) = (parts.detail, (size.width * parts.detail) as usize);
-        let row_of =
-            |y: u32| (block.page as usize * size.height as usize) * detail as usize + (top * detail + y) as usize;
-        let width = (tile.width * detail) as usize;
-        for y in 0..tile.height * detail {
-            let to = row_of(y) * columns + (left * detail) as usize;
-            let from = y as usize * width;
-            parts.colors[to..to + width].copy_from_slice(&baked.colors[from..from + width]);
-            parts.normals[to..to + width].copy_from_slice(&baked.normals[from..from + width]);
-        }
-        self.report.rays += baked.rays;
-        self.report.scans += baked.scans;
-        self.report.hidden_centers += baked.hidden_centers;
     }
 }

@@ -72,6 +72,7 @@ pub mod sampling_error;
 pub mod silhouette_texture;
 pub mod siltex;
 pub mod tangents;
+mod target;
 pub mod tile;
 mod tile_bytes;
 pub mod visibility_function;

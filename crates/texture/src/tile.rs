@@ -98,9 +98,31 @@ pub struct Baked {
 
 /// A texel: where it lies and how directions are expressed there.
 #[derive(Clone, Copy)]
-struct Texel {
-    point: HullPoint,
-    frame: Frame,
+pub(crate) struct Texel {
+    pub point: HullPoint,
+    pub frame: Frame,
+}
+
+/// A texel of a tile with the coarser texels on both sides, whose borders it follows; none on the coarsest level.
+pub(crate) type Seeded = (usize, [Option<usize>; 2]);
+
+/// The distances at which the meridians of a texel graze the object.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Grazed {
+    sum: f32,
+    count: u32,
+}
+
+impl Grazed {
+    pub fn add(&mut self, distance: Option<f32>) {
+        self.sum += distance.unwrap_or(0.0);
+        self.count += u32::from(distance.is_some());
+    }
+
+    /// 0 if no meridian does.
+    fn mean(&self) -> f32 {
+        if self.count > 0 { self.sum / self.count as f32 } else { 0.0 }
+    }
 }
 
 /// Azimuths with their cosines and sines.
@@ -129,7 +151,7 @@ impl Tile {
         (0..atlas.blocks().len()).flat_map(of_block).collect()
     }
 
-    fn texels(&self) -> usize {
+    pub(crate) fn texels(&self) -> usize {
         (self.width * self.height) as usize
     }
 
@@ -137,32 +159,51 @@ impl Tile {
         (y * self.width + x) as usize
     }
 
-    /// All texels of a tile from coarse to fine, each with the coarser texels on both sides; none for those of the coarsest level.
-    fn by_level(&self) -> Vec<(usize, [Option<usize>; 2])> {
-        let mut order = Vec::with_capacity(self.texels());
+    /// All texels of a tile, level by level from coarse to fine.
+    pub(crate) fn levels(&self) -> Vec<Vec<Seeded>> {
+        let mut levels = Vec::new();
         let mut stride = COARSEST;
         while stride > 0 {
+            let mut level = Vec::new();
             for y in (0..self.height).step_by(stride as usize) {
                 for x in (0..self.width).step_by(stride as usize) {
                     let offset = |at: u32| if at.is_multiple_of(2 * stride) { 0 } else { stride };
                     let (dx, dy) = (offset(x), offset(y));
                     if stride == COARSEST {
-                        order.push((self.index(x, y), [None; 2]));
+                        level.push((self.index(x, y), [None; 2]));
                     } else if dx + dy > 0 {
                         let before = self.index(x - dx, y - dy);
                         let is_inside = x + dx < self.width && y + dy < self.height;
                         let after = is_inside.then(|| self.index(x + dx, y + dy));
-                        order.push((self.index(x, y), [Some(before), after]));
+                        level.push((self.index(x, y), [Some(before), after]));
                     }
                 }
             }
+            levels.push(level);
             stride /= 2;
         }
-        order
+        levels
     }
 
     /// Bakes the tile.
     pub fn bake(&self, source: &Source<'_>) -> Baked {
+        let mut baked = Baked::default();
+        let texels = self.texels_of(source, &mut baked);
+        let azimuths = azimuths(source.atlas.size().azimuths);
+        let mut angles = vec![0.0; texels.len() * azimuths.len()];
+        let mut grazed = vec![Grazed::default(); texels.len()];
+        let count = texels.len();
+        self.search(source, &texels, &azimuths, &mut baked, |texel, azimuth, meridian, span, graze| {
+            angles[azimuth * count + texel] = meridian.angle(span, source.lobe) * std::f32::consts::FRAC_1_PI;
+            grazed[texel].add(graze);
+        });
+        baked.angles = angles;
+        self.complete(source, &texels, &grazed, &mut baked);
+        baked
+    }
+
+    /// Where the texels lie, and about what directions are expressed there.
+    pub(crate) fn texels_of(&self, source: &Source<'_>, baked: &mut Baked) -> Vec<Texel> {
         let block = &source.atlas.blocks()[self.block];
         let mut texels: Vec<Texel> = (0..self.texels() as u32)
             .map(|index| {
@@ -174,27 +215,17 @@ impl Tile {
                 Texel { point: source.visibility.point(place.face, place.weights), frame: source.frame(&place) }
             })
             .collect();
-        let mut baked = Baked::default();
         if source.middle == Middle::Own {
-            self.find_own_centers(source, &mut texels, &mut baked);
+            self.find_own_centers(source, &mut texels, baked);
         }
-        let azimuths = azimuths(source.atlas.size().azimuths);
-        baked.angles = vec![0.0; texels.len() * azimuths.len()];
-        let mut angles = std::mem::take(&mut baked.angles);
-        let mut grazed = vec![(0.0_f32, 0_u32); texels.len()];
-        let count = texels.len();
-        self.search(source, &texels, &azimuths, &mut baked, |texel, azimuth, meridian, span, graze| {
-            angles[azimuth * count + texel] = meridian.angle(span, source.lobe) * std::f32::consts::FRAC_1_PI;
-            if let Some(distance) = graze {
-                grazed[texel].0 += distance;
-                grazed[texel].1 += 1;
-            }
-        });
-        baked.angles = angles;
-        baked.gaps = grazed.iter().map(|&(sum, count)| if count > 0 { sum / count as f32 } else { 0.0 }).collect();
+        texels
+    }
+
+    /// All that is baked beside the angles.
+    pub(crate) fn complete(&self, source: &Source<'_>, texels: &[Texel], grazed: &[Grazed], baked: &mut Baked) {
+        baked.gaps = grazed.iter().map(Grazed::mean).collect();
         baked.centers = texels.iter().map(|texel| halves(texel.frame.center)).collect();
-        self.bake_details(source, block, &mut baked);
-        baked
+        self.bake_details(source, &source.atlas.blocks()[self.block], baked);
     }
 
     /// Replaces the middle of each frame by the mean direction of the texel's lobe.
@@ -228,7 +259,7 @@ impl Tile {
         mut found: impl FnMut(usize, usize, &Meridian, Span, Option<f32>),
     ) {
         let mut known = vec![Meridian::default(); texels.len() * azimuths.len()];
-        for (index, seeds) in self.by_level() {
+        for (index, seeds) in self.levels().into_iter().flatten() {
             let Texel { point, frame } = texels[index];
             let center = source.visibility.distance(&point, frame.center).map(|distance| distance as f32);
             baked.rays += 1;

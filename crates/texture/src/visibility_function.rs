@@ -72,6 +72,16 @@ impl VisibilityFunction {
         Self { rule, ..self.clone() }
     }
 
+    /// The rule.
+    pub fn rule(&self) -> VisibilityRule {
+        self.rule
+    }
+
+    /// Distance within which exits do not count, in units of the object's space.
+    pub fn beyond(&self) -> f64 {
+        self.beyond
+    }
+
     /// The object, for rays.
     pub fn object(&self) -> &RayCaster {
         &self.object

@@ -1,4 +1,5 @@
-//! Draws a [`SilhouetteTexture`](crate::SilhouetteTexture) through the convention of [`silhouette_gpu`].
+//! Draws a [`SilhouetteTexture`](crate::SilhouetteTexture) through the convention of [`silhouette_gpu`], and
+//! [bakes](GpuBake) one on a device.
 //!
 //! 1. A [`TextureVolume`] holds the hull and all that was baked on it on a device ([`Filtering`]: in which form). It is shared by all
 //!    instances.
@@ -15,6 +16,7 @@
 //!    the image. The paper's edges are whole pixels.
 //! 4. Outlines have the same width everywhere ([`OutlineWidth`]); the paper's grows with the distance of the hull from the object.
 
+mod bake;
 mod hull_uniform;
 mod near_plane;
 mod pipelines;
@@ -26,6 +28,7 @@ mod volume;
 #[cfg(test)]
 mod tests;
 
+pub use bake::{GpuBake, GpuBakeError, GpuBakeReport};
 pub use pipelines::TexturePipelines;
 pub use renderer::TextureRenderer;
 pub use style::{Drawing, Edge, OutlineStyle, OutlineWidth, Shading, TextureStyle};
