@@ -296,5 +296,6 @@ fn arguments() {
         assert!(!result.exists());
     }
     assert!(refused(&["smooth", &mesh, "--set", "tolerance=0", "-o", "x.obj"]).contains("tolerance"));
-    assert!(refused(&["bake", &mesh]).contains("bake"));
+    assert!(refused(&["bake", &mesh]).contains("--output"));
+    assert!(refused(&["conjure", &mesh]).contains("conjure"));
 }
