@@ -9,6 +9,7 @@ use crate::table::{Cell, Column, Row, Table};
 use silhouette_compare::drawing::Ground;
 use silhouette_compare::registry::Entry;
 use silhouette_core::Progress;
+use silhouette_core::method::PrepareError;
 use silhouette_core::view::ViewPreset;
 use silhouette_render::Gpu;
 use silhouette_texture::{BakeOptions, CenterRule, NormalMapHull, Texture};
@@ -105,12 +106,16 @@ pub fn by_hull(
     let (mut rows, mut pictures) = (Vec::new(), Vec::new());
     for (vertices, file_name) in HULLS.into_iter().zip(FILES) {
         let hulled = match Hulled::new(subject, vertices, progress) {
-            Err(Cause::Prepare(silhouette_core::method::PrepareError::Mesh(_))) => continue,
+            Err(Cause::Prepare(PrepareError::Mesh(_))) => continue,
             hulled => hulled?,
         };
         let offset = hulled.offset_percent();
         for (centers, words) in [(CenterRule::Vertex, ""), (CenterRule::Texel, ", own centres")] {
-            let baked = hulled.bake(BakeOptions { centers, ..options }, progress)?;
+            let baked = match hulled.bake(BakeOptions { centers, ..options }, progress) {
+                // Too many faces for textures of this size.
+                Err(Cause::Prepare(PrepareError::Mesh(_))) => continue,
+                baked => baked?,
+            };
             let label = format!("{vertices} vertices, {offset:.1} % away{words}");
             rows.push(row(label, scores(gpu, &truth, &baked, progress)?));
             if centers == CenterRule::Texel {
@@ -146,7 +151,7 @@ pub fn by_resolution(
                     let label = format!("{side} x {side} texels, {azimuths} azimuths");
                     rows.push(row(label, scores(gpu, &truth, &baked, progress)?));
                 }
-                Err(Cause::Prepare(silhouette_core::method::PrepareError::Mesh(reason))) => {
+                Err(Cause::Prepare(PrepareError::Mesh(reason))) => {
                     notes.push(format!("Fig. 14 leaves out {side} x {side} texels: {reason}"));
                     break;
                 }
