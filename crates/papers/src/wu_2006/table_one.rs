@@ -1,7 +1,7 @@
 //! Table 1: sizes, frame times and sampling errors, with what a bake takes.
 
 use super::baked::Baked;
-use super::printed::PaperRow;
+use super::printed::{PaperRow, SIDE};
 use crate::table::{Cell, Column, Comparable, Row, Table};
 use silhouette_texture::sampling_error::SamplingError;
 
@@ -53,6 +53,11 @@ fn row(Measurement { baked, frame_ms: [mesh_ms, texture_ms], error }: &Measureme
     let paper = |value: fn(&PaperRow) -> f64| subject.row.map(value);
     let model = || subject.difference().map_or(Comparable::Yes, Comparable::No);
     let timed = || Comparable::No(hardware.to_owned());
+    let side = baked.texture.parts().size.width;
+    let sampled = match model() {
+        Comparable::Yes if side != SIDE => Comparable::No(format!("the paper's texture has {SIDE} x {SIDE} texels")),
+        model => model,
+    };
     let hull_vertices = baked.of.hull.mesh().positions().len();
     let cells = vec![
         Cell::one(subject.vertices() as f64).beside(paper(|row| f64::from(row.vertices)), model()),
@@ -63,7 +68,7 @@ fn row(Measurement { baked, frame_ms: [mesh_ms, texture_ms], error }: &Measureme
         Cell::one(*mesh_ms).beside(paper(|row| 1000.0 / row.mesh_fps), timed()),
         Cell::one(*texture_ms).beside(paper(|row| 1000.0 / row.texture_fps), timed()),
         Cell::one(mesh_ms / texture_ms).beside(paper(PaperRow::speed_up), timed()),
-        Cell::one(100.0 * error.mean).beside(paper(|row| row.sampling_error_percent), model()),
+        Cell::one(100.0 * error.mean).beside(paper(|row| row.sampling_error_percent), sampled),
         Cell::one(100.0 * error.missing),
         Cell::one(baked.report.rays_per_sample()),
         Cell::one(baked.of.seconds),
