@@ -62,8 +62,7 @@ fn row(Measurement { baked, frame_ms: [mesh_ms, texture_ms], error }: &Measureme
     let cells = vec![
         Cell::one(subject.vertices() as f64).beside(paper(|row| f64::from(row.vertices)), model()),
         Cell::one(hull_vertices as f64).beside(paper(|row| f64::from(row.hull_vertices)), model()),
-        Cell::one(f64::from(baked.texture.parts().size.width))
-            .beside(paper(|_| f64::from(super::printed::SIDE)), model()),
+        Cell::one(f64::from(baked.texture.parts().size.width)).beside(paper(|_| f64::from(SIDE)), model()),
         Cell::one(baked.of.offset_percent()),
         Cell::one(*mesh_ms).beside(paper(|row| 1000.0 / row.mesh_fps), timed()),
         Cell::one(*texture_ms).beside(paper(|row| 1000.0 / row.texture_fps), timed()),
