@@ -1,6 +1,5 @@
 //! Pictures of a baked subject, and what they score against the fine mesh.
 
-use super::timed::farther;
 use crate::directions::spread;
 use crate::error::Cause;
 use silhouette_compare::drawing::{Drawing, FrameStyle, Ground};
@@ -28,6 +27,15 @@ pub fn camera(mesh: &TriangleMesh, direction: DVec3, side_px: u32) -> Result<Cam
     let bounds = mesh.bounds().ok_or(Cause::EmptyMesh)?;
     let up = if direction.normalize().y.abs() > 0.95 { Vec3::X } else { Vec3::Y };
     Ok(Camera::framing(&bounds, direction, up, Framing::Perspective { fov_y_rad: FOV_Y_RAD }, [side_px; 2])?)
+}
+
+/// The camera `times` as far from its target.
+///
+/// # Errors
+/// [`Cause::View`].
+pub fn farther(camera: &Camera, times: f64) -> Result<Camera, Cause> {
+    let eye = camera.target().as_dvec3() + times * (camera.eye() - camera.target()).as_dvec3();
+    Ok(Camera::new(eye.as_vec3(), camera.target(), camera.up(), camera.projection(), camera.size())?)
 }
 
 /// A method that draws a mesh, with options as words.

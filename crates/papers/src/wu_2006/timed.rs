@@ -1,11 +1,10 @@
 //! Frames of several methods, in turn.
 
-use super::drawn::camera;
+use super::drawn::{camera, farther};
 use crate::directions::spread;
 use crate::error::Cause;
 use crate::table::Range;
 use silhouette_compare::drawing::Drawing;
-use silhouette_core::view::Camera;
 use silhouette_core::{Progress, TriangleMesh};
 use silhouette_render::Gpu;
 
@@ -33,13 +32,4 @@ pub fn time<const N: usize>(
         }
     }
     Ok(samples.map(|samples| Range::of(samples, "rounds").map_or(f64::NAN, |range| range.median)))
-}
-
-/// The camera `times` as far from its target.
-///
-/// # Errors
-/// [`Cause::View`].
-pub fn farther(camera: &Camera, times: f64) -> Result<Camera, Cause> {
-    let eye = camera.target().as_dvec3() + times * (camera.eye() - camera.target()).as_dvec3();
-    Ok(Camera::new(eye.as_vec3(), camera.target(), camera.up(), camera.projection(), camera.size())?)
 }
