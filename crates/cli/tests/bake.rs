@@ -47,8 +47,8 @@ fn a_bake_that_is_killed_goes_on_and_yields_the_same_file() {
         std::thread::sleep(Duration::from_millis(wait_ms));
         let _ = child.kill();
         interrupted += u32::from(!child.wait().unwrap().success());
-        assert!(interrupted == 0 || !killed.exists() || !checkpoint(&killed).exists(), "a whole file, or a checkpoint");
     }
+    assert!(interrupted > 0, "finding the hull alone takes longer than the first wait");
     run(&bake("builtin:torus", &killed));
     let [whole, resumed] = [&whole, &killed].map(|path| std::fs::read(path).unwrap());
     assert_eq!(whole, resumed);
