@@ -218,7 +218,7 @@ fn samples(text: &str) -> Result<u32, String> {
 /// How much a comparison measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ProfileArgument {
-    /// Small pictures, part of a turn: seconds per mesh, even in software
+    /// Small pictures, part of a turn: under a minute per mesh, even in software
     Quick,
     /// Large pictures, a whole turn
     Full,
