@@ -45,7 +45,8 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
         None => make_hull(mesh, choice.hull_vertices, &progress).map_err(failed)?,
     };
     let checkpoint = checkpoint(path);
-    let (texture, report) = bake(mesh, &hull, &choice, &progress, Some(&checkpoint)).map_err(failed)?;
+    let (texture, report) =
+        bake(mesh, &hull, choice.options, choice.terms, &progress, Some(&checkpoint)).map_err(failed)?;
     if report.restored_tiles > 0 {
         let (restored, tiles) = (report.restored_tiles, report.tiles);
         failure::note(format!("went on from {}: {restored} of {tiles} tiles were finished", checkpoint.display()));

@@ -5,6 +5,7 @@
 use crate::atlas::Place;
 use crate::frame::Frame;
 use crate::silhouette_texture::{Angles, SilhouetteTexture};
+use crate::tile_bytes::of_unorm8;
 use glam::{Vec2, Vec3};
 use half::f16;
 use silhouette_core::glam;
@@ -102,7 +103,7 @@ impl<'a> Lookup<'a> {
         let parts = self.texture.parts();
         let index = || parts.size.sample(page, azimuth, x, y);
         match &parts.angles {
-            Angles::Unorm8(values) => f32::from(values[index()]) / 255.0,
+            Angles::Unorm8(values) => of_unorm8(values[index()]),
             Angles::Float16(values) => values[index()].to_f32(),
             Angles::Terms(terms) => {
                 let (texel, texels) = (parts.size.texel(page, x, y), parts.size.texels() as usize);

@@ -84,7 +84,7 @@ impl Target {
         let (block, size, parts) = (&atlas.blocks()[tile.block], self.parts.size, &mut self.parts);
         let unit = parts.hull.mesh().bounds().map_or(1.0, |bounds| bounds.radius) as f32;
         let (left, top) = (block.x + tile.x, block.y + tile.y);
-        let texels = (tile.width * tile.height) as usize;
+        let texels = tile.texels();
         for index in 0..texels as u32 {
             let (x, y) = (left + index % tile.width, top + index / tile.width);
             for azimuth in 0..size.azimuths {

@@ -33,7 +33,7 @@ pub fn write(baked: &Baked, format: AngleFormat) -> Vec<u8> {
 
 /// The tile of some bytes; `None` if there are more or fewer than the tile has.
 pub fn read(tile: &Tile, format: AngleFormat, azimuths: u32, detail: u32, bytes: &[u8]) -> Option<Baked> {
-    let texels = (tile.width * tile.height) as usize;
+    let texels = tile.texels();
     let (angles, details) = (texels * azimuths as usize, texels * (detail * detail) as usize);
     let mut rest = bytes;
     let mut take = |length: usize| {

@@ -67,11 +67,6 @@ impl VisibilityFunction {
         }
     }
 
-    /// The same object and hull by another rule.
-    pub fn with_rule(&self, rule: VisibilityRule) -> Self {
-        Self { rule, ..self.clone() }
-    }
-
     /// The rule.
     pub fn rule(&self) -> VisibilityRule {
         self.rule

@@ -6,7 +6,7 @@ use silhouette_core::method::PrepareError;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_texture::atlas::Atlas;
 use silhouette_texture::bake::BakeError;
-use silhouette_texture::method::{BakeChoice, TextureError, Textures, bake, hull};
+use silhouette_texture::method::{TextureError, Textures, bake, hull};
 use silhouette_texture::{BakeOptions, BakeReport, Hull, SilhouetteTexture, VolumeSize};
 use std::sync::Arc;
 use std::time::Instant;
@@ -61,8 +61,7 @@ impl Hulled {
     /// [`Cause`]: cancelled, or a size that does not fit the hull.
     pub fn bake(&self, options: BakeOptions, progress: &dyn Progress) -> Result<Baked, Cause> {
         let start = Instant::now();
-        let choice = BakeChoice { hull_vertices: 0, options, terms: 0 };
-        let baked = bake(self.subject.mesh.mesh(), &self.hull, &choice, progress, None);
+        let baked = bake(self.subject.mesh.mesh(), &self.hull, options, 0, progress, None);
         let (texture, report) = baked.map_err(refused)?;
         let seconds = start.elapsed().as_secs_f64();
         Ok(Baked { of: self.clone(), texture: Arc::new(texture), report, seconds })

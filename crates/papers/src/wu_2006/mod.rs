@@ -121,9 +121,10 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
         let outlines = outlines::by_subject(gpu, &all, extent.views, progress)?;
         let sampling = sampling::measure(&first.of, options(extent.many_side), progress)?;
         let compressed = compressed::measure(gpu, first, extent.rounds, progress)?;
-        let (hulls, pictures) =
+        let (hulls, pictures, mut notes) =
             outlines::by_hull(gpu, &first.of.subject, extent.views, options(extent.many_side), progress)?;
-        let (resolution, notes) = outlines::by_resolution(gpu, &first.of, extent.views, extent.side, progress)?;
+        let (resolution, left_out) = outlines::by_resolution(gpu, &first.of, extent.views, extent.side, progress)?;
+        notes.extend(left_out);
         Ok((vec![outlines, sampling, compressed, hulls, resolution], pictures, notes))
     };
     let (tables, pictures, notes) = figures().map_err(of_first)?;

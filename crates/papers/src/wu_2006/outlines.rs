@@ -100,20 +100,28 @@ pub fn by_hull(
     views: u32,
     options: BakeOptions,
     progress: &dyn Progress,
-) -> Result<(Table, Vec<Picture>), Cause> {
+) -> Result<(Table, Vec<Picture>, Vec<String>), Cause> {
     const FILES: [&str; HULLS.len()] = ["fig-13-22.png", "fig-13-100.png", "fig-13-500.png", "fig-13-2000.png"];
     let truth = Views::new(gpu, subject.mesh.mesh(), views, progress)?;
-    let (mut rows, mut pictures) = (Vec::new(), Vec::new());
+    let (mut rows, mut pictures, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    let left_out = |vertices: u32, reason: &dyn std::fmt::Display| {
+        format!("Fig. 13 leaves out a hull of {vertices} vertices: {reason}")
+    };
     for (vertices, file_name) in HULLS.into_iter().zip(FILES) {
         let hulled = match Hulled::new(subject, vertices, progress) {
-            Err(Cause::Prepare(PrepareError::Mesh(_))) => continue,
+            Err(Cause::Prepare(PrepareError::Mesh(reason))) => {
+                notes.push(left_out(vertices, &reason));
+                continue;
+            }
             hulled => hulled?,
         };
         let offset = hulled.offset_percent();
         for (centers, words) in [(CenterRule::Vertex, ""), (CenterRule::Texel, ", own centres")] {
             let baked = match hulled.bake(BakeOptions { centers, ..options }, progress) {
-                // Too many faces for textures of this size.
-                Err(Cause::Prepare(PrepareError::Mesh(_))) => continue,
+                Err(Cause::Prepare(PrepareError::Mesh(reason))) => {
+                    notes.push(left_out(vertices, &reason));
+                    break;
+                }
                 baked => baked?,
             };
             let label = format!("{vertices} vertices, {offset:.1} % away{words}");
@@ -127,7 +135,7 @@ pub fn by_hull(
     let about = format!("{side} x {side} texels, {} azimuths; {views} views", options.size.azimuths);
     let label = subject.label.clone();
     let table = Table { name: "Fig. 13, hulls", subject: label, about, columns: columns(), rows, ..Table::default() };
-    Ok((table, pictures))
+    Ok((table, pictures, notes))
 }
 
 /// Fig. 14: by texels and azimuths.

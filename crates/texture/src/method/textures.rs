@@ -111,7 +111,7 @@ impl Textures {
             empty(mesh, choice.options)?
         } else {
             let hull = made.hull(mesh, choice.hull_vertices, progress)?;
-            bake(mesh, &hull, choice, progress, None)?.0
+            bake(mesh, &hull, choice.options, choice.terms, progress, None)?.0
         };
         let texture = Arc::new(texture);
         made.textures.push((*choice, Arc::clone(&texture)));
@@ -152,24 +152,25 @@ pub fn hull(_mesh: &TriangleMesh, _vertices: u32, _progress: &dyn Progress) -> R
     Err(TextureError::FeatureOff)
 }
 
-/// Bakes a mesh on a hull and compresses the result, as `choice` says. With a `checkpoint`, an interrupted bake goes on where it
-/// was; see [`Bake::run`].
+/// Bakes a mesh on a hull and compresses the result to `terms`, or not at all if that is 0. With a `checkpoint`, an interrupted bake
+/// goes on where it was; see [`Bake::run`].
 ///
 /// # Errors
 /// [`TextureError`].
 pub fn bake(
     mesh: &TriangleMesh,
     hull: &Hull,
-    choice: &BakeChoice,
+    options: BakeOptions,
+    terms: u32,
     progress: &dyn Progress,
     checkpoint: Option<&Path>,
 ) -> Result<(SilhouetteTexture, BakeReport), TextureError> {
-    let (texture, report) = Bake::new(mesh, hull, choice.options).run(progress, checkpoint)?;
-    if choice.terms == 0 {
+    let (texture, report) = Bake::new(mesh, hull, options).run(progress, checkpoint)?;
+    if terms == 0 {
         return Ok((texture, report));
     }
-    let atlas = Atlas::new(hull, choice.options.size, choice.options.gutter).map_err(BakeError::from)?;
-    Ok((compress(&texture, choice.terms, Some(&atlas.used_texels()))?, report))
+    let atlas = Atlas::new(hull, options.size, options.gutter).map_err(BakeError::from)?;
+    Ok((compress(&texture, terms, Some(&atlas.used_texels()))?, report))
 }
 
 /// A texture of a mesh without faces: one texel, of which nothing is drawn.
