@@ -22,6 +22,7 @@ pub mod facing_memo;
 pub mod heal;
 pub mod id;
 pub mod inspect;
+pub mod line_style;
 pub mod load;
 pub mod loops;
 pub mod mesh;

@@ -35,7 +35,7 @@
 //! target takes them [as linear light or as they are](TargetFormats::is_linear).
 //!
 //! Beside the convention lies what renderers share: [`StrokeRenderer`] for polylines and [`EdgeRenderer`] for edges found on the
-//! CPU, [`FillRenderer`] for the mesh itself, [`LinePolygon`] for lines that a vertex stage expands, the [`kit`] of pipelines and
+//! CPU, [`FillRenderer`] for the mesh itself, [`WidthOverDepth`] for widths in any unit, [`LinePolygon`] for lines that a vertex stage expands, the [`kit`] of pipelines and
 //! bindings. Positions on the device are relative to a [`LocalFrame`], so that a mesh far from the origin is drawn as sharply as
 //! one at the origin.
 
@@ -57,6 +57,7 @@ mod pen;
 mod renderer_error;
 mod strokes;
 mod surface;
+mod width_over_depth;
 
 pub use camera::{CameraBinding, CameraUniform};
 pub use color::Color;
@@ -78,3 +79,4 @@ pub use strokes::{
     StrokeRenderer, StrokeStyle,
 };
 pub use surface::SurfaceUniform;
+pub use width_over_depth::WidthOverDepth;

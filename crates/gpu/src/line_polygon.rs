@@ -5,6 +5,9 @@
 //! few triangles as the width needs ([`Rounding`]), so that consecutive lines join without gaps. A line has the depth of its
 //! edge, so that what lies before the edge hides it.
 
+use crate::frame_view::FrameView;
+use crate::local_frame::LocalFrame;
+use crate::width_over_depth::WidthOverDepth;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::FRAC_PI_2;
 
@@ -54,6 +57,19 @@ impl LinePolygon {
         };
         polygon.round(rounding);
         polygon
+    }
+
+    /// Lines of `width` in a view of a mesh with this frame; ink reaches the share `reach` of the width beside them, to both sides
+    /// where it `is_centred`, otherwise to the left alone. Ends are rounded for the width at the near plane.
+    pub fn of_view(view: &FrameView, frame: &LocalFrame, width: &WidthOverDepth, reach: f64, is_centred: bool) -> Self {
+        let law = view.depth_law();
+        let near = law.range().near;
+        let depth_per_w = frame.depth_per_w(view);
+        let near_w = if view.is_perspective() { near / depth_per_w } else { 0.5 * law.w_at(0.0) };
+        let reach_px = [width.constant_px, width.px_at_depth_1 / depth_per_w].map(|part| (reach * part) as f32);
+        let viewport_px = view.viewport().size_px.map(|side| side as f32);
+        let rounding = Rounding::new(reach * width.px_at(near.abs()), is_centred);
+        Self::new(viewport_px, reach_px, near_w as f32, rounding)
     }
 
     /// Rounds the ends in this way.

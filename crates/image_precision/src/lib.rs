@@ -80,7 +80,6 @@ mod front_faces;
 mod ink;
 #[cfg(feature = "gpu")]
 mod later_faces;
-mod line_width;
 #[cfg(feature = "gpu")]
 mod mark_seen;
 mod method;
@@ -99,7 +98,6 @@ mod style;
 pub mod unoriented;
 pub mod wireframe;
 
-pub use line_width::{LineWidth, WidthOverDepth, WidthUnit};
 pub use method::ImagePrecision;
 pub use options::ImagePrecisionOptions;
 #[cfg(feature = "gpu")]

@@ -1,6 +1,7 @@
 //! [`ImagePrecisionOptions`]: the options in the words of the command line.
 
 use crate::depth_range::MovedPlane;
+use silhouette_core::line_style::WidthUnitChoice;
 use silhouette_core::{method_options, option_choice};
 
 option_choice! {
@@ -28,20 +29,6 @@ option_choice! {
         Charcoal = "charcoal",
         /// [`unoriented`](crate::unoriented).
         Unoriented = "unoriented",
-    }
-}
-
-option_choice! {
-    /// Unit of the width of lines.
-    pub enum WidthUnitChoice {
-        /// Pixels of the viewport.
-        Pixels = "px",
-        /// Units of the mesh at the depth of the line.
-        World = "world",
-        /// Millimetres of paper, of the resolution that `dpi` says.
-        Millimetres = "mm",
-        /// Percent of the height of the viewport.
-        HeightPercent = "height-percent",
     }
 }
 

@@ -2,11 +2,11 @@
 
 use crate::depth_range::MovedPlane;
 use crate::fatten::FattenLaw;
-use crate::line_width::{LineWidth, WidthUnit};
 use crate::options::{
     ExtraEdgesChoice, EyeInside, FattenedPolygons, ImagePrecisionOptions, InteriorChoice, LawChoice, Texture,
-    UnorientedLines, VariantChoice, WidthUnitChoice, WireframeLines,
+    UnorientedLines, VariantChoice, WireframeLines,
 };
+use silhouette_core::line_style::LineWidth;
 
 /// How step 3 draws back faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,12 +130,7 @@ impl From<ImagePrecisionOptions> for Settings {
             variant: options.into(),
             width: LineWidth {
                 value: options.width,
-                unit: match options.width_unit {
-                    WidthUnitChoice::Pixels => WidthUnit::Pixels,
-                    WidthUnitChoice::World => WidthUnit::World,
-                    WidthUnitChoice::Millimetres => WidthUnit::Millimetres { dpi: options.dpi },
-                    WidthUnitChoice::HeightPercent => WidthUnit::HeightPercent,
-                },
+                unit: options.width_unit.with_dpi(options.dpi),
                 thins_beyond_radii: (clutter > 0.0).then_some(clutter),
             },
             fatten_clamp: options.fatten_clamp,
@@ -200,6 +195,7 @@ impl From<ImagePrecisionOptions> for Variant {
 mod tests {
     use super::*;
     use silhouette_core::MethodOptions;
+    use silhouette_core::line_style::WidthUnit;
 
     fn settings(words: &[&str]) -> Settings {
         ImagePrecisionOptions::parse(words.iter().copied()).unwrap().into()

@@ -9,7 +9,7 @@ use bytemuck::{Pod, Zeroable};
 use silhouette_core::glam::{DMat3, DMat4, DVec3, DVec4, Vec4};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange};
-use silhouette_gpu::{Color, FrameView, LinePolygon, LocalFrame, Rounding, TargetFormats};
+use silhouette_gpu::{Color, FrameView, LinePolygon, LocalFrame, Rounding, TargetFormats, WidthOverDepth};
 
 /// Direction towards the light in the image, y up: the upper left.
 const LIGHT: [f64; 2] = [-0.6, 0.8];
@@ -66,14 +66,9 @@ fn pulled(variant: Variant, view: &FrameView, bounds: &Bounds) -> DMat4 {
     }
 }
 
-/// How far lines reach beside their edges, as a share of their width: those of a wireframe lie on both sides.
+/// How far lines reach beside their edges, as a share of their width: those of a wireframe lie on both sides and end bluntly.
 pub(crate) fn reach(variant: Variant) -> f64 {
     if matches!(variant, Variant::Wireframe { .. }) { 0.5 } else { 1.0 }
-}
-
-/// How lines are rounded that are at most so wide. Lines of a wireframe end bluntly.
-fn rounding(variant: Variant, widest_px: f64) -> Rounding {
-    if matches!(variant, Variant::Wireframe { .. }) { Rounding::BLUNT } else { Rounding::new(widest_px, false) }
 }
 
 /// Where the viewer is in the frame of a mesh and in its shape: eyes with w = 1, or directions towards the viewer with w = 0.
@@ -112,19 +107,16 @@ pub(crate) fn of_view(
     let depth_per_w = frame.depth_per_w(view);
     let Viewer { local_eye, eye, axis, up } = Viewer::new(view, frame);
     let px_per_unit = view.pixels_per_unit(1.0) * if view.is_perspective() { 1.0 } else { frame.unit() };
-    let near = view.depth_law().range().near;
-    let width = settings.width.over_depth(view, bounds);
-    let rounding = rounding(settings.variant, width.px_at(near.abs()));
-    let reach = reach(settings.variant);
+    let width = WidthOverDepth::new(&settings.width, view, bounds);
     let (depth, radius) = (view.depth(bounds.center), bounds.radius * view.largest_scale());
     let law = match settings.variant {
         Variant::Fatten { law } | Variant::Charcoal { law, .. } => law,
         _ => FattenLaw::Exact,
     };
-    let near_w = if view.is_perspective() { near / depth_per_w } else { 0.5 * view.depth_law().w_at(0.0) };
-    let reach_px = [width.constant_px, width.px_at_depth_1 / depth_per_w].map(|part| (reach * part) as f32);
-    let viewport_px = view.viewport().size_px.map(|side| side as f32);
-    let mut line = LinePolygon::new(viewport_px, reach_px, near_w as f32, rounding);
+    let mut line = LinePolygon::of_view(view, frame, &width, reach(settings.variant), false);
+    if matches!(settings.variant, Variant::Wireframe { .. }) {
+        line.round(Rounding::BLUNT);
+    }
     line.shape.light = LIGHT.map(|part| (part * settings.light_thinning) as f32);
     let shape = DMat4::from_mat3(frame.shape(view));
     let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
