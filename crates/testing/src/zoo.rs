@@ -28,6 +28,7 @@ pub fn closed() -> Vec<Specimen> {
         "torus:40,24",
         "knot",
         "gear",
+        "ring",
         "blob:3000",
     ]);
     let second = moved(&builtin("torus:24,16"), Vec3::new(0.3, 1.1, 0.2));

@@ -1,7 +1,7 @@
 //! [`LineMetrics`]: what a picture of lines scores.
 
 use super::ink::Ink;
-use super::{gaps, separation, share, width};
+use super::{corners, gaps, separation, share, width};
 use crate::truth::samples::TrueLines;
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,8 @@ pub struct LineMetrics {
     pub width_deviation_px: f64,
     /// [`gaps::gaps_per_1000_px`].
     pub gaps_per_1000px: f64,
+    /// [`corners::closed_corner_share`].
+    pub closed_corners: f64,
 }
 
 /// A pen, as far as the metrics need it.
@@ -65,6 +67,7 @@ pub fn measure(ink: &Ink, truth: &TrueLines, pen: TruePen<'_>) -> LineMetrics {
         width_mean_px: width.mean_px,
         width_deviation_px: width.deviation_px,
         gaps_per_1000px: gaps::gaps_per_1000_px(ink, truth),
+        closed_corners: corners::closed_corner_share(ink, truth, pen),
     }
 }
 

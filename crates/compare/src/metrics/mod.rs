@@ -8,6 +8,7 @@
 //! 3. [`separation`]: Chamfer and Hausdorff distance, over [`distance_transform`].
 //! 4. [`width`]: how wide lines are drawn, and how evenly.
 //! 5. [`gaps`]: how often a line is interrupted.
+//! 6. [`corners`]: whether lines join where they turn.
 //!
 //! Filled pictures ([`fill`]), with coverage as their alpha channel ([`filled_picture`]):
 //!
@@ -21,6 +22,7 @@
 pub mod area;
 pub mod boundary;
 pub mod color;
+pub mod corners;
 pub mod distance_transform;
 pub mod fill;
 pub mod filled_picture;

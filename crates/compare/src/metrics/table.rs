@@ -160,7 +160,7 @@ macro_rules! optional {
 }
 
 /// Every metric, in the order of results and report.
-pub const METRICS: [MetricSpec; 17] = [
+pub const METRICS: [MetricSpec; 18] = [
     metric!(Lines, missed_0_5px, {
         title: "missed at 0.5 px",
         unit: "share",
@@ -248,6 +248,14 @@ pub const METRICS: [MetricSpec; 17] = [
         worst: "below 1000",
         better: Lower,
         summary: "Stretches of true line longer than 1 px without ink within 1 px, per 1000 px of true line.",
+    }),
+    metric!(Lines, closed_corners, {
+        title: "closed corners",
+        unit: "share",
+        best: "1",
+        worst: "0",
+        better: Higher,
+        summary: "Share of the corners of the true lines at which the pen's join is inked altogether.",
     }),
     metric!(Fill, xor_share, {
         title: "XOR area",

@@ -12,7 +12,7 @@
 //! | [`Cylinder`] | yes | 0 | yes |
 //! | [`Cone`] | yes | 0 | |
 //! | [`Torus`] | yes | 1 | yes |
-//! | [`TorusKnot`], [`Gear`] | yes | 1 | |
+//! | [`TorusKnot`], [`Gear`], [`Ring`] | yes | 1 | |
 //! | [`Blob`]: any even number of faces up to [`MAX_FACES`] | yes | 0 | |
 //! | [`MachineRoom`]: hundreds of objects | yes | 0 and 1 | |
 //! | [`Grid`], [`MoebiusStrip`] | no | | |
@@ -33,6 +33,7 @@ mod machine_room;
 mod moebius;
 mod registry;
 mod revolution;
+mod ring;
 mod sphere;
 mod torus;
 mod torus_knot;
@@ -49,6 +50,7 @@ pub use grid::Grid;
 pub use machine_room::MachineRoom;
 pub use moebius::MoebiusStrip;
 pub use registry::{BUILTINS, by_name, contour_by_name};
+pub use ring::Ring;
 pub use sphere::Sphere;
 pub use torus::Torus;
 pub use torus_knot::TorusKnot;

@@ -2,7 +2,9 @@
 
 use super::builtin::{Builtin, ShapeError};
 use super::contour::AnalyticContour;
-use super::{blob, cone, cuboid, cylinder, ellipsoid, gear, grid, machine_room, moebius, sphere, torus, torus_knot};
+use super::{
+    blob, cone, cuboid, cylinder, ellipsoid, gear, grid, machine_room, moebius, ring, sphere, torus, torus_knot,
+};
 use crate::mesh::TriangleMesh;
 
 /// Every built-in shape, in the order a list should show them.
@@ -16,6 +18,7 @@ pub const BUILTINS: &[&Builtin] = &[
     &torus::TORUS,
     &torus_knot::TORUS_KNOT,
     &gear::GEAR,
+    &ring::RING,
     &blob::BLOB,
     &machine_room::MACHINE_ROOM,
     &grid::GRID,

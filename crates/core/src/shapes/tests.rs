@@ -17,6 +17,7 @@ fn names_and_arguments_are_read() {
     assert_eq!(by_name("torus:9,7,2"), Torus { major_radius: 2.0, ..Torus::default() }.mesh(9, 7));
     assert_eq!(by_name("knot:3,4,80,7"), TorusKnot { p: 3, q: 4, ..TorusKnot::default() }.mesh(80, 7));
     assert_eq!(by_name("gear:5"), Gear { teeth: 5, ..Gear::default() }.mesh());
+    assert_eq!(by_name("ring:9,2"), Ring { outer_radius: 2.0, ..Ring::default() }.mesh(9));
     assert_eq!(by_name("blob:1001"), Blob::default().mesh(1002));
     assert_eq!(by_name("machine-room:7"), MachineRoom { around: 7 }.mesh());
     assert_eq!(by_name("grid:2,3"), Grid::default().mesh(2, 3));
@@ -26,7 +27,14 @@ fn names_and_arguments_are_read() {
 #[test]
 fn face_counts_are_those_documented() {
     let counts = [("icosphere:3", 1280), ("uv-sphere:8,6", 80), ("cylinder:9", 36), ("cone:9", 18), ("torus:9,7", 126)];
-    let more = [("knot:2,3,50,6", 600), ("gear:5", 160), ("blob:777", 778), ("grid:2,3", 12), ("moebius:12,2", 48)];
+    let more = [
+        ("knot:2,3,50,6", 600),
+        ("gear:5", 160),
+        ("ring:9", 72),
+        ("blob:777", 778),
+        ("grid:2,3", 12),
+        ("moebius:12,2", 48),
+    ];
     for (text, faces) in counts.into_iter().chain(more) {
         assert_eq!(by_name(text).map(|mesh| mesh.face_count()), Ok(faces), "{text}");
     }
@@ -37,6 +45,7 @@ fn defaults_of_structs_and_table_agree() {
     assert_eq!(by_name("torus"), Torus::default().mesh(64, 32));
     assert_eq!(by_name("knot"), TorusKnot::default().mesh(360, 16));
     assert_eq!(by_name("gear"), Gear::default().mesh());
+    assert_eq!(by_name("ring"), Ring::default().mesh(64));
     assert_eq!(by_name("blob"), Blob::default().mesh(20_000));
     assert_eq!(by_name("machine-room"), MachineRoom::default().mesh());
     assert_eq!(by_name("grid"), Grid::default().mesh(16, 16));
@@ -64,6 +73,7 @@ fn refusals_name_the_argument_and_its_range() {
         "torus: these arguments make 134217728 faces; at most 20971520 are made, so lower around or across"
     );
     assert!(refusal("torus:8,8,1,1").contains("minor-radius must be below major-radius"));
+    assert!(refusal("ring:8,1,1").contains("inner-radius must be below outer-radius"));
     assert!(refusal("knot:2,4").contains("no common factor"));
     let unknown = refusal("teapot");
     assert!(unknown.starts_with("there is no built-in shape 'teapot'; choose one of cube, icosphere,"), "{unknown}");
@@ -81,7 +91,8 @@ fn no_argument_makes_more_faces_than_the_limit() {
         }
         match by_name(&text) {
             Ok(mesh) => assert!(mesh.face_count() as u64 <= MAX_FACES, "{text}"),
-            Err(error) => assert!(matches!(error, ShapeError::TooManyFaces { .. }), "{text}: {error}"),
+            Err(ShapeError::TooManyFaces { .. } | ShapeError::Combination { .. }) => {}
+            Err(error) => panic!("{text}: {error}"),
         }
     }
 }
