@@ -29,6 +29,7 @@
 
 pub mod chart;
 mod directions;
+mod drawings;
 pub mod error;
 pub mod figure;
 pub mod files;

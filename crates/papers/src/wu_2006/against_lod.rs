@@ -1,7 +1,7 @@
 //! The map of who wins: the texture against levels of detail, by projected size and bytes.
 
 use super::baked::{Hulled, size};
-use super::drawn::{Views, drawing, frame_style};
+use super::drawn::{Views, frame_style};
 use super::equal_area::{Level, coarsest, levels};
 use super::equal_bytes::of_bytes;
 use super::printed::AZIMUTHS;
@@ -9,6 +9,7 @@ use super::subjects::Subject;
 use super::timed::time;
 use crate::chart::map::{Field, Panel};
 use crate::chart::{Chart, map};
+use crate::drawings::drawing;
 use crate::error::Cause;
 use crate::table::{Cell, Column, Row, Table};
 use silhouette_baselines::{LodMesh, LodMeshOptions};
@@ -137,7 +138,7 @@ impl Rivals {
         let baked = Hulled::new(subject, hull_vertices, progress)?.bake(options, progress)?;
         let entry: Entry = Entry::of::<Texture>().fill().into();
         let ground = Ground::Transparent;
-        let texture = drawing(gpu, &baked.drawable(), &entry, "edge=coverage", SAMPLES, ground, progress)?;
+        let texture = drawing(gpu, &baked.drawable(), &entry, "edge=coverage", frame_style(SAMPLES, ground), progress)?;
         let bytes = baked.texture.bytes();
         let lod = match of_bytes(&subject.mesh, all.bytes(), bytes, progress)? {
             Some(lod) => {

@@ -1,9 +1,10 @@
 //! Section 3.5 and Fig. 10: bytes, error and cost of a compressed texture, beside forms that the hardware filters.
 
 use super::baked::Baked;
-use super::drawn::drawing;
+use super::drawn::frame_style;
 use super::printed::{COMPRESSED_SLOWDOWN, TERMS};
 use super::timed::time;
+use crate::drawings::drawing;
 use crate::error::Cause;
 use crate::table::{Cell, Column, Comparable, Row, Table};
 use silhouette_compare::drawing::Ground;
@@ -46,8 +47,8 @@ pub fn measure(gpu: &Gpu, baked: &Baked, rounds: u32, progress: &dyn Progress) -
         let slowdown = match form.form {
             Form::Terms(_) | Form::Float16 => {
                 let mesh = terms.map_or_else(|| Ok(baked.drawable()), |terms| baked.compressed(terms))?;
-                let mut other = drawing(gpu, &mesh, &entry, words, 1, Ground::Paper, progress)?;
-                let mut native = drawing(gpu, &baked.drawable(), &entry, "", 1, Ground::Paper, progress)?;
+                let mut other = drawing(gpu, &mesh, &entry, words, frame_style(1, Ground::Paper), progress)?;
+                let mut native = drawing(gpu, &baked.drawable(), &entry, "", frame_style(1, Ground::Paper), progress)?;
                 let [other, native] = time(gpu, fine, [&mut other, &mut native], 1.0, rounds, progress)?;
                 other / native
             }

@@ -1,8 +1,9 @@
 //! Fig. 11: frame time by projected size.
 
 use super::baked::Baked;
-use super::drawn::{Views, drawing};
+use super::drawn::{Views, frame_style};
 use super::timed::time;
+use crate::drawings::drawing;
 use crate::error::Cause;
 use crate::table::{Cell, Column, Row, Table};
 use silhouette_baselines::FineMesh;
@@ -29,8 +30,8 @@ pub fn measure(gpu: &Gpu, baked: &Baked, rounds: u32, progress: &dyn Progress) -
     let [fine_entry, texture_entry]: [Entry; 2] =
         [Entry::of::<FineMesh>().fill().into(), Entry::of::<Texture>().fill().into()];
     let mesh = baked.drawable();
-    let mut mesh_drawing = drawing(gpu, &mesh, &fine_entry, "", 1, Ground::Transparent, progress)?;
-    let mut texture = drawing(gpu, &mesh, &texture_entry, "", 1, Ground::Transparent, progress)?;
+    let mut mesh_drawing = drawing(gpu, &mesh, &fine_entry, "", frame_style(1, Ground::Transparent), progress)?;
+    let mut texture = drawing(gpu, &mesh, &texture_entry, "", frame_style(1, Ground::Transparent), progress)?;
     let mut rows = Vec::new();
     for distance in DISTANCES {
         let times = time(gpu, fine, [&mut mesh_drawing, &mut texture], distance, rounds, progress)?;

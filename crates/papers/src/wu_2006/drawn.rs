@@ -1,20 +1,15 @@
 //! Pictures of a baked subject, and what they score against the fine mesh.
 
 use crate::directions::spread;
+use crate::drawings::{self, FOV_Y_RAD};
 use crate::error::Cause;
 use silhouette_compare::drawing::{Drawing, FrameStyle, Ground};
-use silhouette_compare::metrics::{FilledPicture, PictureKind, measure_fill};
-use silhouette_compare::registry::Entry;
+use silhouette_compare::metrics::{FilledPicture, measure_fill};
 use silhouette_compare::truth::fill::FillTruth;
-use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::method::OptionValues;
-use silhouette_core::view::{Camera, Framing};
-use silhouette_core::{PreparedMesh, Progress, TriangleMesh};
+use silhouette_core::glam::DVec3;
+use silhouette_core::view::Camera;
+use silhouette_core::{Progress, TriangleMesh};
 use silhouette_render::Gpu;
-use std::sync::Arc;
-
-/// Vertical field of view in radians: that of every comparison, as the paper names none.
-pub const FOV_Y_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
 /// A picture of a method is as wide as it is high.
 pub const SIDE_PX: u32 = 512;
@@ -23,10 +18,8 @@ pub const SIDE_PX: u32 = 512;
 ///
 /// # Errors
 /// [`Cause`]: no faces.
-pub fn camera(mesh: &TriangleMesh, direction: DVec3, side_px: u32) -> Result<Camera, Cause> {
-    let bounds = mesh.bounds().ok_or(Cause::EmptyMesh)?;
-    let up = if direction.normalize().y.abs() > 0.95 { Vec3::X } else { Vec3::Y };
-    Ok(Camera::framing(&bounds, direction, up, Framing::Perspective { fov_y_rad: FOV_Y_RAD }, [side_px; 2])?)
+pub fn camera(mesh: &TriangleMesh, direction: DVec3) -> Result<Camera, Cause> {
+    drawings::camera(mesh, direction, FOV_Y_RAD, [SIDE_PX; 2])
 }
 
 /// The camera `times` as far from its target.
@@ -36,25 +29,6 @@ pub fn camera(mesh: &TriangleMesh, direction: DVec3, side_px: u32) -> Result<Cam
 pub fn farther(camera: &Camera, times: f64) -> Result<Camera, Cause> {
     let eye = camera.target().as_dvec3() + times * (camera.eye() - camera.target()).as_dvec3();
     Ok(Camera::new(eye.as_vec3(), camera.target(), camera.up(), camera.projection(), camera.size())?)
-}
-
-/// A method that draws a mesh, with options as words.
-///
-/// # Errors
-/// [`Cause`]: options that do not fit, or a device that failed.
-pub fn drawing(
-    gpu: &Gpu,
-    mesh: &Arc<PreparedMesh>,
-    entry: &Entry,
-    words: &str,
-    samples: u32,
-    ground: Ground,
-    progress: &dyn Progress,
-) -> Result<Drawing, Cause> {
-    let options = OptionValues::parse(entry.info().options, words.split_whitespace())?;
-    let prepared = entry.prepare(mesh, &options, progress)?;
-    let kind = if entry.capabilities().fill { PictureKind::Fill } else { PictureKind::Lines };
-    Ok(Drawing::new(gpu, mesh, prepared, kind, frame_style(samples, ground))?)
 }
 
 /// Frames of this size, with a number of samples per pixel.
@@ -101,7 +75,7 @@ impl Views {
         let mut truth = FillTruth::new(gpu, fine)?;
         let view = |direction| -> Result<_, Cause> {
             progress.check()?;
-            let camera = farther(&camera(fine, direction, SIDE_PX)?, distance)?;
+            let camera = farther(&camera(fine, direction)?, distance)?;
             let picture = truth.find(gpu, &camera)?;
             let area = picture.coverage().coverages().iter().map(|&coverage| f64::from(coverage)).sum();
             Ok((camera, picture, area))

@@ -26,9 +26,10 @@ mod table_one;
 mod timed;
 
 use self::baked::{Baked, Hulled, size};
-use self::drawn::drawing;
+use self::drawn::frame_style;
 use self::printed::{AZIMUTHS, SIDE};
 use self::table_one::Measurement;
+use crate::drawings::drawing;
 use crate::error::{Cause, PaperError};
 use crate::paper::{Measured, Paper, Run};
 use silhouette_baselines::FineMesh;
@@ -150,7 +151,7 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
 fn frames(run: &Run<'_>, baked: &Baked, extent: &Extent) -> Result<[f64; 2], Cause> {
     let (gpu, progress, mesh) = (run.gpu()?, run.progress, baked.drawable());
     let [fine, texture]: [Entry; 2] = [Entry::of::<FineMesh>().fill().into(), Entry::of::<Texture>().fill().into()];
-    let mut fine = drawing(gpu, &mesh, &fine, "", 1, Ground::Paper, progress)?;
-    let mut texture = drawing(gpu, &mesh, &texture, "", 1, Ground::Paper, progress)?;
+    let mut fine = drawing(gpu, &mesh, &fine, "", frame_style(1, Ground::Paper), progress)?;
+    let mut texture = drawing(gpu, &mesh, &texture, "", frame_style(1, Ground::Paper), progress)?;
     timed::time(gpu, baked.of.subject.mesh.mesh(), [&mut fine, &mut texture], 1.0, extent.rounds, progress)
 }

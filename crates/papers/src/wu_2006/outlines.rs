@@ -1,8 +1,9 @@
 //! Figs. 6, 13 and 14: outlines of the texture and of its hull against those of the fine mesh, by hull and by resolution.
 
 use super::baked::{Baked, Hulled, size};
-use super::drawn::{Outline, Views, camera, drawing};
+use super::drawn::{Outline, Views, camera, frame_style};
 use super::printed::{COARSEST_HULL, FEWER_AZIMUTHS, SIDES};
+use crate::drawings::drawing;
 use crate::error::Cause;
 use crate::picture::Picture;
 use crate::table::{Cell, Column, Row, Table};
@@ -33,7 +34,7 @@ fn scores(gpu: &Gpu, views: &Views, baked: &Baked, progress: &dyn Progress) -> R
     let [texture, hull]: [Entry; 2] =
         [Entry::of::<Texture>().fill().into(), Entry::of::<NormalMapHull>().fill().into()];
     let score = |entry: &Entry, words: &str, samples: u32| {
-        let mut drawing = drawing(gpu, &mesh, entry, words, samples, Ground::Transparent, progress)?;
+        let mut drawing = drawing(gpu, &mesh, entry, words, frame_style(samples, Ground::Transparent), progress)?;
         views.score(gpu, &mut drawing, progress)
     };
     Ok(Scores {
@@ -185,8 +186,9 @@ pub fn picture(
     progress: &dyn Progress,
 ) -> Result<Picture, Cause> {
     let entry: Entry = Entry::of::<Texture>().fill().into();
-    let mut drawing = drawing(gpu, &baked.drawable(), &entry, "edge=coverage", 4, Ground::Paper, progress)?;
+    let mut drawing =
+        drawing(gpu, &baked.drawable(), &entry, "edge=coverage", frame_style(4, Ground::Paper), progress)?;
     let direction = ViewPreset::default().directions().0;
-    drawing.draw(gpu, &camera(baked.of.subject.mesh.mesh(), direction, super::drawn::SIDE_PX)?)?;
+    drawing.draw(gpu, &camera(baked.of.subject.mesh.mesh(), direction)?)?;
     Ok(Picture { file_name, title: format!("{}: {title}", baked.of.subject.label), image: drawing.picture(gpu)? })
 }

@@ -2,14 +2,14 @@
 
 use super::drawn::{camera, farther};
 use crate::directions::spread;
+use crate::drawings;
 use crate::error::Cause;
-use crate::table::Range;
 use silhouette_compare::drawing::Drawing;
 use silhouette_core::{Progress, TriangleMesh};
 use silhouette_render::Gpu;
 
 /// Median milliseconds of a frame by each method, drawn in turn from `rounds` sides, `distance` times as far as where the bounding
-/// sphere fits the picture. Each draws every view twice, and the second frame is timed.
+/// sphere fits the picture, as [`drawings::time`] times them.
 ///
 /// # Errors
 /// [`Cause`]: cancelled, or a device that failed.
@@ -21,15 +21,8 @@ pub fn time<const N: usize>(
     rounds: u32,
     progress: &dyn Progress,
 ) -> Result<[f64; N], Cause> {
-    let mut samples = [const { Vec::new() }; N];
-    for direction in spread(rounds) {
-        progress.check()?;
-        let near = camera(fine, direction, super::drawn::SIDE_PX)?;
-        let camera = farther(&near, distance)?;
-        for (drawing, samples) in drawings.iter_mut().zip(&mut samples) {
-            drawing.draw(gpu, &camera)?;
-            samples.push(drawing.draw(gpu, &camera)?.frame_ms);
-        }
-    }
-    Ok(samples.map(|samples| Range::of(samples, "rounds").map_or(f64::NAN, |range| range.median)))
+    let cameras = spread(rounds).map(|direction| farther(&camera(fine, direction)?, distance));
+    let cameras: Vec<_> = cameras.collect::<Result<_, _>>()?;
+    let medians = drawings::time(gpu, &cameras, &mut drawings, progress)?;
+    Ok(std::array::from_fn(|at| medians[at]))
 }
