@@ -1,5 +1,6 @@
 //! How a command fails: one line on stderr and an exit code.
 
+use crate::interrupt;
 use silhouette_core::load::LoadError;
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::progress::Cancelled;
@@ -16,6 +17,8 @@ pub enum Failure {
     Input(String),
     /// The run itself failed: exit code 1.
     Run(String),
+    /// Ctrl-C: exit code 130.
+    Interrupted,
 }
 
 impl Failure {
@@ -51,6 +54,7 @@ impl Failure {
         let (message, code) = match self {
             Self::Input(message) => (message, 2),
             Self::Run(message) => (message, 1),
+            Self::Interrupted => (&"interrupted; no result was written".to_owned(), interrupt::EXIT_CODE),
         };
         // Where stderr is closed there is nobody to tell; the exit code still says it.
         let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));
@@ -111,6 +115,7 @@ mod tests {
         let error = Arguments::try_parse_from(words).unwrap_err();
         match usage(&error) {
             Failure::Input(message) | Failure::Run(message) => message,
+            Failure::Interrupted => panic!("nobody interrupted"),
         }
     }
 

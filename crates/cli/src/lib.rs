@@ -12,7 +12,7 @@
 //! }
 //! ```
 //!
-//! Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input. A failure is one line on stderr that names the place
+//! Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 130 interrupted by Ctrl-C. A failure is one line on stderr that names the place
 //! and the mend. Results go to stdout or to `-o`, progress and notes to stderr.
 
 mod args;
@@ -24,6 +24,7 @@ mod extract;
 mod failure;
 mod input;
 mod inspect;
+mod interrupt;
 mod lines;
 mod output;
 mod progress;
@@ -40,16 +41,21 @@ use std::process::ExitCode;
 
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {
+    interrupt::listen();
     let result = match Arguments::try_parse() {
         Ok(arguments) => dispatch(arguments.command, registry),
         Err(error) if !error.use_stderr() => {
-            // Help and version: clap's own text, on stdout.
-            return if error.print().is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
+            // Help and version: clap's own text, on stdout. A reader such as `head` that has seen enough is no failure.
+            return match error.print() {
+                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
+                _ => ExitCode::SUCCESS,
+            };
         }
         Err(error) => Err(failure::usage(&error)),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
+        Err(_) if interrupt::is_asked() => Failure::Interrupted.report(),
         Err(failure) => failure.report(),
     }
 }

@@ -1,5 +1,6 @@
-//! Progress on a terminal: a bar with the stage and the remaining time, once the work has taken a second.
+//! Progress on a terminal: a bar with the stage and the remaining time, once the work has taken a second; cancelled by Ctrl-C.
 
+use crate::interrupt;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use silhouette_core::Progress;
 use std::io::IsTerminal;
@@ -55,6 +56,10 @@ impl Progress for TerminalProgress {
             bar.inc(steps);
             self.show_when_due(bar);
         }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        interrupt::is_asked()
     }
 }
 

@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
+use tempfile::TempDir;
 
 /// What a directory of results holds; one kind never replaces another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +44,16 @@ pub enum DirectoryError {
         /// What was to be written.
         noun: &'static str,
     },
+    /// An earlier one exists there, whose list of files names something that does not lie in it.
+    #[error("{}: lists '{name}', which lies outside of the {noun}; choose another directory or move it away", path.display())]
+    Outside {
+        /// The list.
+        path: PathBuf,
+        /// What it names.
+        name: String,
+        /// What was to be written.
+        noun: &'static str,
+    },
     /// A file could not be read or written.
     #[error("{}: {source}", path.display())]
     Io {
@@ -76,8 +87,13 @@ impl DirectoryKind {
     /// # Errors
     /// [`DirectoryError`] says what is in the way.
     pub fn check_target(self, directory: &Path) -> Result<(), DirectoryError> {
-        examine(directory, self).map(drop)
+        examine(&plain(directory), self).map(drop)
     }
+}
+
+/// The path without separators and dots at its end, so that it can be renamed.
+fn plain(directory: &Path) -> PathBuf {
+    directory.components().collect()
 }
 
 fn examine(directory: &Path, kind: DirectoryKind) -> Result<Existing, DirectoryError> {
@@ -98,10 +114,19 @@ fn examine(directory: &Path, kind: DirectoryKind) -> Result<Existing, DirectoryE
     }
     let manifest = fs::read(directory.join(marker)).ok().and_then(|text| serde_json::from_slice(&text).ok());
     let manifest: Manifest = manifest.ok_or_else(not_ours)?;
+    if let Some(name) = manifest.files.iter().find(|name| !lies_inside(name)) {
+        return Err(DirectoryError::Outside { path: directory.join(marker), name: name.clone(), noun });
+    }
     match find_foreign(directory, "", &manifest, marker)? {
         Some(path) => Err(DirectoryError::ForeignFile { path, noun }),
         None => Ok(Existing::Earlier(manifest)),
     }
+}
+
+/// Whether a name of a manifest stays below the directory that it is joined to, wherever that lies.
+fn lies_inside(name: &str) -> bool {
+    let mut parts = Path::new(name).components().peekable();
+    parts.peek().is_some() && parts.all(|part| matches!(part, Component::Normal(_)))
 }
 
 /// A file below `directory` that the manifest does not list.
@@ -138,7 +163,7 @@ fn at(path: &Path) -> impl Fn(io::Error) -> DirectoryError {
 pub struct StagedDirectory {
     kind: DirectoryKind,
     target: PathBuf,
-    staging: PathBuf,
+    staging: TempDir,
     files: BTreeSet<String>,
 }
 
@@ -148,13 +173,13 @@ impl StagedDirectory {
     /// # Errors
     /// [`DirectoryError`]: something is in the way of `target`, or the directory cannot be created.
     pub fn begin(target: &Path, kind: DirectoryKind) -> Result<Self, DirectoryError> {
-        examine(target, kind)?;
-        let staging = beside(target, "partial");
+        let target = plain(target);
+        examine(&target, kind)?;
         if let Some(parent) = target.parent().filter(|parent| !parent.as_os_str().is_empty()) {
             fs::create_dir_all(parent).map_err(at(parent))?;
         }
-        fs::create_dir(&staging).map_err(at(&staging))?;
-        Ok(Self { kind, target: target.to_owned(), staging, files: BTreeSet::new() })
+        let staging = beside(&target, ".partial")?;
+        Ok(Self { kind, target, staging, files: BTreeSet::new() })
     }
 
     /// Where to write the file that will be at this path, `/` between parts, in the finished directory.
@@ -162,7 +187,7 @@ impl StagedDirectory {
     /// # Errors
     /// [`DirectoryError::Io`]: a folder of that path cannot be created.
     pub fn file(&mut self, name: &str) -> Result<PathBuf, DirectoryError> {
-        let path = self.staging.join(name);
+        let path = self.staging.path().join(name);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(at(parent))?;
         }
@@ -178,11 +203,11 @@ impl StagedDirectory {
     pub fn commit(mut self) -> Result<(), DirectoryError> {
         let manifest =
             Manifest { version: env!("CARGO_PKG_VERSION").to_owned(), files: std::mem::take(&mut self.files) };
-        let marker = self.staging.join(self.kind.marker);
+        let marker = self.staging.path().join(self.kind.marker);
         let text = serde_json::to_vec_pretty(&manifest).map_err(|error| at(&marker)(error.into()))?;
         fs::write(&marker, text).map_err(at(&marker))?;
 
-        let put_in_place = || fs::rename(&self.staging, &self.target).map_err(at(&self.target));
+        let put_in_place = || fs::rename(self.staging.path(), &self.target).map_err(at(&self.target));
         match examine(&self.target, self.kind)? {
             Existing::Nothing => put_in_place(),
             Existing::EmptyDirectory => {
@@ -190,7 +215,10 @@ impl StagedDirectory {
                 put_in_place()
             }
             Existing::Earlier(old) => {
-                let aside = beside(&self.target, "old");
+                // A name that nothing has, which the earlier directory then takes.
+                let free = beside(&self.target, ".old")?;
+                let aside = free.path().to_owned();
+                free.close().map_err(at(&aside))?;
                 fs::rename(&self.target, &aside).map_err(at(&self.target))?;
                 if let Err(error) = put_in_place() {
                     fs::rename(&aside, &self.target).map_err(at(&aside))?;
@@ -202,21 +230,17 @@ impl StagedDirectory {
     }
 }
 
-impl Drop for StagedDirectory {
-    /// Removes what was staged, unless it is in its place by now. It is this run's own directory: its name holds the id of
-    /// the process, and [`StagedDirectory::begin`] created it.
-    fn drop(&mut self) {
-        if self.staging.exists() {
-            // Nothing more can be done in a destructor; what remains is named `.partial`.
-            let _ = fs::remove_dir_all(&self.staging);
-        }
-    }
-}
-
-/// `.NAME.PROCESS.what` beside a path.
-fn beside(path: &Path, what: &str) -> PathBuf {
+/// An empty directory beside a path, of a name that nothing had: `.NAME.RANDOM.what`. Removed when dropped.
+fn beside(path: &Path, what: &str) -> Result<TempDir, DirectoryError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{}.{what}", std::process::id()))
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    let prefix = format!(".{name}.");
+    builder.prefix(&prefix).suffix(what);
+    // As any new directory's: by default temporary ones are private.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+    builder.tempdir_in(parent).map_err(at(path))
 }
 
 /// Removes the files that a manifest lists, then the directories that are empty.
@@ -312,9 +336,53 @@ mod tests {
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
     }
 
+    /// What a manifest names is removed when the directory is replaced.
+    #[test]
+    fn a_list_that_names_files_elsewhere_is_refused_and_they_stay() {
+        let dir = tempfile::tempdir().unwrap();
+        let (report, victim) = (dir.path().join("report"), dir.path().join("victim.txt"));
+        fs::write(&victim, "mine").unwrap();
+        for name in ["../victim.txt", victim.to_str().unwrap(), "images/../../victim.txt", "./../victim.txt", ""] {
+            fs::create_dir_all(&report).unwrap();
+            let manifest = Manifest { version: String::new(), files: BTreeSet::from([name.to_owned()]) };
+            fs::write(report.join(REPORT.marker), serde_json::to_vec(&manifest).unwrap()).unwrap();
+            let error = REPORT.check_target(&report).unwrap_err();
+            assert!(matches!(error, DirectoryError::Outside { .. }), "{name}: {error}");
+            assert!(write_report(&report, "second").is_err());
+            assert_eq!(fs::read_to_string(&victim).unwrap(), "mine", "{name}");
+            assert!(report.join(REPORT.marker).exists(), "nothing was touched");
+        }
+    }
+
+    #[test]
+    fn what_an_earlier_process_left_is_in_nobody_s_way() {
+        let dir = tempfile::tempdir().unwrap();
+        let target = dir.path().join("report");
+        for stale in ["partial", "old"] {
+            let stale = dir.path().join(format!(".report.{}.{stale}", std::process::id()));
+            fs::create_dir(&stale).unwrap();
+            fs::write(stale.join("page.txt"), "half").unwrap();
+        }
+        write_report(&target, "first").unwrap();
+        write_report(&target, "second").unwrap();
+        assert_eq!(fs::read_to_string(target.join("page.txt")).unwrap(), "second");
+    }
+
+    #[test]
+    fn dots_and_separators_at_the_end_of_a_path_mean_nothing() {
+        let dir = tempfile::tempdir().unwrap();
+        for path in ["report/.", "report/", "report/./"] {
+            let target = dir.path().join(path);
+            REPORT.check_target(&target).unwrap();
+            write_report(&target, path).unwrap();
+            assert_eq!(fs::read_to_string(dir.path().join("report/page.txt")).unwrap(), path);
+        }
+        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+
     #[test]
     fn paths_without_a_name_are_refused() {
-        for path in ["/", "..", ""] {
+        for path in ["/", "..", "", ".", "report/.."] {
             assert!(matches!(REPORT.check_target(Path::new(path)), Err(DirectoryError::NoName { .. })), "{path}");
         }
     }
