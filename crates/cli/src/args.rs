@@ -1,6 +1,6 @@
 //! The command line, as clap reads it.
 
-use crate::camera::CameraArguments;
+use crate::camera::{CameraArguments, UpAxisArgument};
 use crate::lines::LinesArguments;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -12,7 +12,8 @@ use std::path::PathBuf;
 
 /// Find, draw and compare the silhouettes of triangle meshes.
 ///
-/// MESH is a file (.obj .ply .off .stl .gltf .glb) or builtin:NAME, for example builtin:torus or builtin:blob:100000.
+/// MESH is a file (.obj .ply .off .stl .gltf .glb), - for standard input, or builtin:NAME, for example builtin:torus or
+/// builtin:blob:100000.
 #[derive(Debug, Parser)]
 #[command(name = "silhouettes", version, subcommand_required = true, arg_required_else_help = true)]
 pub struct Arguments {
@@ -250,6 +251,9 @@ pub struct CompareArguments {
     /// An option of a method; several values make one cell each, several options multiply
     #[arg(long, value_name = "METHOD.OPTION=VALUE[,VALUE...]")]
     pub set: Vec<String>,
+    /// The axis that the camera's path is around, and that points up [default: that of the scene]
+    #[arg(long, value_enum, value_name = "AXIS")]
+    pub up_axis: Option<UpAxisArgument>,
     /// Draw each mesh simplified to at most N faces, and measure filled pictures against all of it
     #[arg(long, value_name = "N")]
     pub simplify: Option<NonZeroUsize>,

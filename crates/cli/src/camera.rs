@@ -1,10 +1,10 @@
 //! The camera options that every command shares.
 
 use crate::failure::Failure;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use glam::{DVec3, Vec3};
 use silhouette_core::mesh::Bounds;
-use silhouette_core::view::{Camera, Framing, Projection, ViewPreset, Viewpoint};
+use silhouette_core::view::{Camera, Framing, Projection, UpAxis, ViewPreset, Viewpoint};
 
 /// Field of view where none is given.
 const DEFAULT_FOV_DEG: f64 = 40.0;
@@ -13,13 +13,14 @@ const DEFAULT_FOV_DEG: f64 = 40.0;
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Camera")]
 pub struct CameraArguments {
-    /// Where the eye is, in the mesh's own coordinates; by default as far along --view as the mesh needs to fit
+    /// Where the eye is, in the mesh's own coordinates; by default as far along --view as the mesh needs to fit. Beside --view
+    /// it says how far away that view is
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     eye: Option<Vec3>,
     /// The point looked at [default: the middle of the mesh]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     target: Option<Vec3>,
-    /// The direction that points up in the picture [default: 0,1,0]
+    /// The direction that points up in the picture [default: the view's, or the --up-axis]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     up: Option<Vec3>,
     /// Vertical field of view in degrees [default: 40]
@@ -28,12 +29,33 @@ pub struct CameraArguments {
     /// Orthographic view of this height in the mesh's units, or 'fit'
     #[arg(long, value_name = "HEIGHT", value_parser = ortho_height)]
     ortho: Option<OrthoHeight>,
-    /// A named view, used where no --eye is given
-    #[arg(long, value_name = "NAME", default_value = "three-quarter", value_parser = preset, conflicts_with = "eye")]
-    view: ViewPreset,
-    /// Size of the picture in pixels
+    /// A named view: three-quarter, front, back, left, right, top, bottom, iso [default: three-quarter]
+    #[arg(long, value_name = "NAME", value_parser = preset)]
+    view: Option<ViewPreset>,
+    /// Which axis of the mesh points up in named views: z for most CAD, surveying and printing
+    #[arg(long, value_enum, value_name = "AXIS", default_value_t = UpAxisArgument::Y)]
+    up_axis: UpAxisArgument,
+    /// Size of the picture in pixels, or the side of a square one
     #[arg(long, value_name = "WxH", default_value = "1024x1024", value_parser = size)]
     size: [u32; 2],
+}
+
+/// Which axis points up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum UpAxisArgument {
+    /// Front views are from +z
+    Y,
+    /// Front views are from -y
+    Z,
+}
+
+impl From<UpAxisArgument> for UpAxis {
+    fn from(argument: UpAxisArgument) -> Self {
+        match argument {
+            UpAxisArgument::Y => Self::Y,
+            UpAxisArgument::Z => Self::Z,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,36 +73,45 @@ impl CameraArguments {
             None => Framing::Perspective { fov_y_rad },
         };
         let framed = |direction: DVec3, up| Camera::framing(bounds, direction, up, framing, self.size);
-        let (preset_direction, preset_up) = self.view.directions();
+        let (preset_direction, preset_up) = self.view.unwrap_or_default().directions_with(self.up_axis.into());
         let fitted = framed(preset_direction, preset_up)?;
         let projection = match self.ortho {
             Some(OrthoHeight::Units(height)) => Projection::Orthographic { height },
             _ => fitted.projection(),
         };
         let target = self.target.unwrap_or(fitted.target());
-        let eye = match self.eye {
-            Some(eye) => eye,
-            None => fitted.eye() + (target - fitted.target()),
+        let eye = match (self.eye, self.view) {
+            (Some(eye), Some(_)) => target + eye.distance(target) * preset_direction.normalize().as_vec3(),
+            (Some(eye), None) => eye,
+            (None, _) => fitted.eye() + (target - fitted.target()),
         };
         // The middle of the mesh is only a default: an eye exactly there looks along -z instead.
         let target = if eye == target && self.target.is_none() { target - Vec3::Z } else { target };
         let up = self.up.unwrap_or_else(|| self.default_up(preset_up, target - eye));
+        if self.up.is_some() && self.eye.is_none() && is_along(target - eye, up) {
+            let mend = "name another, or say --up-axis z for a mesh whose z points up";
+            return Err(Failure::Input(format!("camera: --up is the direction that the view looks along; {mend}")));
+        }
         Ok(Camera::new(eye, target, up, projection, self.size)?)
     }
 
     /// What facing depends on. Unlike a camera, an eye on the target is no obstacle.
     pub fn viewpoint(&self, bounds: &Bounds) -> Result<Viewpoint, Failure> {
-        match (self.eye, self.ortho) {
+        match (self.eye.filter(|_| self.view.is_none()), self.ortho) {
             (Some(eye), None) => Ok(Viewpoint::Perspective { eye }),
             _ => Ok(self.camera(bounds)?.viewpoint()),
         }
     }
 
-    /// The preset's up, or z where an eye of the user's own looks along it.
+    /// The preset's up, or that of a view from above where an eye of the user's own looks along it.
     fn default_up(&self, preset_up: Vec3, forward: Vec3) -> Vec3 {
-        let along = forward.normalize_or_zero().cross(preset_up).length_squared() < 1e-6;
-        if self.eye.is_some() && along { Vec3::NEG_Z } else { preset_up }
+        let from_above = ViewPreset::Top.directions_with(self.up_axis.into()).1;
+        if self.eye.is_some() && is_along(forward, preset_up) { from_above } else { preset_up }
     }
+}
+
+fn is_along(forward: Vec3, up: Vec3) -> bool {
+    forward.normalize_or_zero().cross(up.normalize_or_zero()).length_squared() < 1e-6
 }
 
 /// Three finite numbers separated by commas.
@@ -102,7 +133,9 @@ fn ortho_height(text: &str) -> Result<OrthoHeight, String> {
     match text {
         "fit" => Ok(OrthoHeight::Fit),
         number => {
-            number.parse().map(OrthoHeight::Units).map_err(|_| "expected a height such as 2.5, or 'fit'".to_owned())
+            let height = number.parse().ok().filter(|&height: &f64| height.is_finite() && height > 0.0);
+            let expected = "expected a height above 0 in units of the mesh, such as 2.5, or 'fit'";
+            height.map(OrthoHeight::Units).ok_or_else(|| expected.to_owned())
         }
     }
 }
@@ -114,8 +147,9 @@ fn preset(text: &str) -> Result<ViewPreset, String> {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
-    sides.ok_or_else(|| "expected width and height such as 1024x768".to_owned())
+    let (width, height) = text.split_once(['x', 'X']).unwrap_or((text, text));
+    let sides = width.parse().ok().zip(height.parse().ok()).map(|(width, height)| [width, height]);
+    sides.ok_or_else(|| "expected width and height such as 1024x768, or one side such as 800".to_owned())
 }
 
 #[cfg(test)]
@@ -158,7 +192,26 @@ mod tests {
             assert!(vector(bad).is_err(), "{bad}");
         }
         assert!(
-            size("12").is_err() && size("ax2").is_err() && preset("sideways").is_err() && ortho_height("x").is_err()
+            size("12x").is_err() && size("ax2").is_err() && preset("sideways").is_err() && ortho_height("x").is_err()
         );
+        assert!(ortho_height("-1").is_err() && ortho_height("0").is_err() && ortho_height("inf").is_err());
+        assert_eq!((size("800"), size("640x480")), (Ok([800, 800]), Ok([640, 480])));
+    }
+
+    #[test]
+    fn views_of_a_mesh_with_z_up_are_cad_s() {
+        let front = parse(&["--view", "front", "--up-axis", "z"]).camera(&BOUNDS).unwrap();
+        assert!(front.eye().normalize().distance(Vec3::NEG_Y) < 1e-6 && front.up() == Vec3::Z);
+        assert!(parse(&["--eye", "0,0,9", "--up-axis", "z"]).camera(&BOUNDS).is_ok(), "looks along z");
+        let Err(Failure::Input(message)) = parse(&["--view", "front", "--up", "0,0,1"]).camera(&BOUNDS) else {
+            panic!("the view looks along z")
+        };
+        assert!(message.contains("--up-axis z"), "{message}");
+    }
+
+    #[test]
+    fn an_eye_beside_a_view_is_its_distance() {
+        let camera = parse(&["--view", "left", "--eye", "0,0,7"]).camera(&BOUNDS).unwrap();
+        assert!(camera.eye().distance(Vec3::new(-7.0, 0.0, 0.0)) < 1e-5, "{camera:?}");
     }
 }

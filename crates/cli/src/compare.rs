@@ -56,6 +56,9 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
         let simplified = scene.simplify_meshes(faces.get());
         simplified.map_err(|fault| Failure::Input(format!("--simplify {faces}: {fault}")))?;
     }
+    if let Some(axis) = arguments.up_axis {
+        scene.path.up_axis = axis.into();
+    }
     if scene.meshes.is_empty() {
         return Err(Failure::Input(format!(
             "{place}: meshes: none is listed; name one in the scene or as an argument"

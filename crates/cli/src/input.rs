@@ -4,10 +4,11 @@ use crate::failure::Failure;
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
-use silhouette_core::load::{self, LabelledMesh};
+use silhouette_core::load::{self, Format, LabelledMesh};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
 use silhouette_texture::{Textures, siltex};
+use std::io::Read as _;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -49,9 +50,37 @@ fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, Labelled
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
         return Ok((argument.to_owned(), LabelledMesh { mesh, labels: None, feature_edges: Vec::new() }));
     }
+    if argument == STANDARD_INPUT {
+        let name = "standard input";
+        let mut bytes = Vec::new();
+        let read = std::io::stdin().lock().read_to_end(&mut bytes);
+        read.map_err(|error| Failure::Input(format!("{name}: {error}; name a file")))?;
+        return Ok((name.to_owned(), load::read_labelled(format_of(&bytes), name, &bytes, progress)?));
+    }
     let path = Path::new(argument);
     let loaded = load::load_labelled(path, progress)?;
     Ok((file_name(path), loaded))
+}
+
+/// What stands for standard input.
+pub const STANDARD_INPUT: &str = "-";
+
+/// The format that a file without a name begins as; OBJ, which has no sign of its own, where it is none of the others.
+fn format_of(bytes: &[u8]) -> Format {
+    let text = bytes.trim_ascii_start();
+    let first_word = text.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+    // Binary STL has a head of 80 bytes, then the number of its triangles, of 50 bytes each.
+    let count = bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
+    let is_binary_stl = count.is_some_and(|count| bytes.len() as u64 == 84 + 50 * u64::from(count));
+    match first_word {
+        _ if is_binary_stl => Format::Stl,
+        b"ply" => Format::Ply,
+        word if word.starts_with(b"glTF") || word.starts_with(b"{") => Format::Gltf,
+        word if word.starts_with(b"solid") => Format::Stl,
+        // The magic may be glued to the counts, and have letters of what vertices carry before it.
+        word if word.windows(3).any(|letters| letters == b"OFF") => Format::Off,
+        _ => Format::Obj,
+    }
 }
 
 /// Loads all that are named, or `defaults` where none is.
@@ -93,6 +122,27 @@ mod tests {
         std::fs::write(&path, format!("{square}s 1\nf 1 2 3\ns 2\nf 1 3 4\n")).unwrap();
         let loaded = mesh(path.to_str().unwrap(), &NoProgress).unwrap();
         assert_eq!(loaded.mesh.feature_edges(), [[VertexId::new(0), VertexId::new(2)]]);
+    }
+
+    #[test]
+    fn formats_of_standard_input_are_known_by_their_first_bytes() {
+        for (text, format) in [
+            ("ply\nformat ascii 1.0", Format::Ply),
+            ("OFF\n3 1 0", Format::Off),
+            ("NOFF 3 1 0", Format::Off),
+            ("OFF8 6 0", Format::Off),
+            ("solid x\nfacet", Format::Stl),
+            ("  {\"asset\":{}}", Format::Gltf),
+            ("glTF\u{2}\0\0\0", Format::Gltf),
+            ("# made by hand\nv 0 0 0", Format::Obj),
+            ("", Format::Obj),
+        ] {
+            assert_eq!(format_of(text.as_bytes()), format, "{text}");
+        }
+        let mut binary = b"solid, but binary".to_vec();
+        binary.resize(84 + 50, 0);
+        binary[80] = 1;
+        assert_eq!(format_of(&binary), Format::Stl);
     }
 
     #[test]

@@ -31,6 +31,7 @@ mod progress;
 mod render;
 mod reproduce;
 mod smooth;
+mod spoken;
 
 pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 
@@ -42,7 +43,7 @@ use std::process::ExitCode;
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {
     interrupt::listen();
-    let result = match Arguments::try_parse() {
+    let result = match Arguments::try_parse_from(spoken::joined(std::env::args_os())) {
         Ok(arguments) => dispatch(arguments.command, registry),
         Err(error) if !error.use_stderr() => {
             // Help and version: clap's own text, on stdout. A reader such as `head` that has seen enough is no failure.

@@ -4,7 +4,7 @@ use glam::DVec3;
 use silhouette_core::Camera;
 use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::Bounds;
-use silhouette_core::view::{Framing, ViewError};
+use silhouette_core::view::{Framing, UpAxis, ViewError};
 use std::f64::consts::TAU;
 
 /// An inclined orbit around a mesh, whose whole bounding sphere every view shows.
@@ -16,7 +16,9 @@ pub struct Orbit {
     pub size: [u32; 2],
     /// Number of views.
     pub views: u32,
-    /// Azimuth of the first view, from the z axis towards the x axis.
+    /// The axis that the orbit is around, which points up in every view.
+    pub up_axis: UpAxis,
+    /// Azimuth of the first view, from the front towards the right: with y up from the z axis towards the x axis.
     pub first_azimuth_rad: f64,
     /// Middle of the elevations, above the horizon.
     pub elevation_rad: f64,
@@ -31,7 +33,8 @@ impl Orbit {
     /// many faces would be seen edge-on at once.
     pub fn turn(framing: Framing, size: [u32; 2], views: u32) -> Self {
         let step_rad = TAU / f64::from(views.max(1));
-        Self { framing, size, views, first_azimuth_rad: 0.417, elevation_rad: 0.31, swing_rad: 0.23, step_rad }
+        let (up_axis, first_azimuth_rad, elevation_rad, swing_rad) = (UpAxis::Y, 0.417, 0.31, 0.23);
+        Self { framing, size, views, up_axis, first_azimuth_rad, elevation_rad, swing_rad, step_rad }
     }
 
     /// The cameras in order. O(views).
@@ -39,9 +42,8 @@ impl Orbit {
     /// # Errors
     /// [`ViewError`] where field of view or viewport do not make a camera.
     pub fn cameras(&self, bounds: &Bounds) -> Result<Vec<Camera>, ViewError> {
-        (0..self.views)
-            .map(|view| Camera::framing(bounds, self.direction(view), Vec3::Y, self.framing, self.size))
-            .collect()
+        let up = self.up_axis.from_y_up(DVec3::Y).as_vec3();
+        (0..self.views).map(|view| Camera::framing(bounds, self.direction(view), up, self.framing, self.size)).collect()
     }
 
     /// Eyes of `views` views spread over a whole turn, `distance_radii` radii of the bounding sphere from its centre: for
@@ -56,7 +58,8 @@ impl Orbit {
     fn direction(&self, view: u32) -> DVec3 {
         let azimuth = self.first_azimuth_rad + self.step_rad * f64::from(view);
         let elevation = self.elevation_rad + self.swing_rad * (azimuth + 1.0).sin();
-        DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos())
+        let direction = DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos());
+        self.up_axis.from_y_up(direction)
     }
 }
 
@@ -99,6 +102,18 @@ mod tests {
         for (eye, camera) in eyes.iter().zip(cameras) {
             let [offset, seen] = [*eye, camera.eye()].map(|eye| eye.as_dvec3() - bounds.center);
             assert!((offset.length() - 3.0 * bounds.radius).abs() < 1e-5 && offset.angle_between(seen) < 1e-5);
+        }
+    }
+
+    /// A mesh turned so that its z points up is seen as the mesh itself with y up: cameras differ by that turn alone.
+    #[test]
+    fn an_orbit_about_z_is_that_about_y_turned() {
+        let about_y = Orbit::turn(Framing::Orthographic, [64, 64], 6);
+        let about_z = Orbit { up_axis: UpAxis::Z, ..about_y };
+        let [of_y, of_z] = [about_y, about_z].map(|orbit| orbit.cameras(&BOUNDS).unwrap());
+        for (y, z) in of_y.iter().zip(&of_z) {
+            let turned = UpAxis::Z.from_y_up(y.eye().as_dvec3());
+            assert!(z.eye().as_dvec3().distance(turned) < 1e-5 && z.up() == Vec3::Z, "{z:?}");
         }
     }
 

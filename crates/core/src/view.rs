@@ -8,7 +8,7 @@ mod camera;
 mod preset;
 
 pub use camera::{Camera, ClipRange, DepthDirection, FRAMING_MARGIN, Framing, MAX_VIEWPORT, Projected, Projection};
-pub use preset::ViewPreset;
+pub use preset::{UpAxis, ViewPreset};
 
 use glam::Vec3;
 

@@ -110,7 +110,7 @@ struct PageArguments {
     /// Unit of the file, and of lengths given without one
     #[arg(long, value_enum, default_value_t = UnitArgument::Mm)]
     units: UnitArgument,
-    /// a0 to a5, letter, legal, or width and height such as 200x150mm [default: a4; with --units px: the view, as it is]
+    /// a0 to a5, letter, legal, tabloid, or width and height such as 200x150mm or 11x17in [default: a4; with --units px: the view, as it is]
     #[arg(long, value_name = "SIZE", value_parser = Page::from_str)]
     page: Option<Page>,
     /// Lays the page on its longer side
@@ -122,9 +122,12 @@ struct PageArguments {
     /// What fills the page: the lines, or the view, so that pictures of one camera lie upon each other [default: lines]
     #[arg(long, value_enum, conflicts_with = "scale")]
     fit: Option<FitArgument>,
-    /// True scale: millimetres on paper that a unit of the mesh takes; needs --ortho
-    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
-    scale: Option<f64>,
+    /// True scale: millimetres on paper that a unit of the mesh takes, or a ratio such as 1:100, with --mesh-unit; needs --ortho
+    #[arg(long, value_name = "MM|A:B", allow_hyphen_values = true, value_parser = ScaleArgument::from_str)]
+    scale: Option<ScaleArgument>,
+    /// What a unit of the mesh is, for a --scale that is a ratio
+    #[arg(long, value_enum, default_value_t = MeshUnitArgument::Mm)]
+    mesh_unit: MeshUnitArgument,
     /// Paths shorter than this are left out [default: 0.1mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     min_length: Option<String>,
@@ -147,6 +150,60 @@ enum UnitArgument {
     Px,
 }
 
+/// A true scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum ScaleArgument {
+    /// Millimetres on paper per unit of the mesh.
+    MmPerUnit(f64),
+    /// Length on paper over length of the thing.
+    Ratio(f64),
+}
+
+impl ScaleArgument {
+    fn mm_per_unit(self, unit: MeshUnitArgument) -> f64 {
+        match self {
+            Self::MmPerUnit(mm) => mm,
+            Self::Ratio(ratio) => {
+                ratio
+                    * match unit {
+                        MeshUnitArgument::Mm => 1.0,
+                        MeshUnitArgument::Cm => 10.0,
+                        MeshUnitArgument::M => 1000.0,
+                        MeshUnitArgument::In => 25.4,
+                        MeshUnitArgument::Ft => 304.8,
+                    }
+            }
+        }
+    }
+}
+
+impl FromStr for ScaleArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.trim().parse().ok().filter(|&value: &f64| value.is_finite() && value > 0.0);
+        let scale = match text.split_once(':') {
+            None => number(text).map(Self::MmPerUnit),
+            Some((paper, thing)) => number(paper).zip(number(thing)).map(|(paper, thing)| Self::Ratio(paper / thing)),
+        };
+        scale.ok_or_else(|| "expected millimetres per unit above 0 such as 2.5, or a ratio such as 1:100".to_owned())
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum MeshUnitArgument {
+    /// Millimetres
+    Mm,
+    /// Centimetres
+    Cm,
+    /// Metres
+    M,
+    /// Inches
+    In,
+    /// Feet
+    Ft,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum FitArgument {
     /// The lines that are drawn
@@ -162,8 +219,8 @@ struct PenArguments {
     /// Width of all pens, or of one kind's: 0.3mm, ridge=0.2mm; may be given several times
     #[arg(long, value_name = "[KIND=]LENGTH")]
     width: Vec<String>,
-    /// Colour of all pens, or of one kind's: #1a2b3c, silhouette=#000000; may be given several times
-    #[arg(long, value_name = "[KIND=]#RRGGBB", visible_alias = "color")]
+    /// Colour of all pens, or of one kind's: #1a2b3c, red, silhouette=black; may be given several times
+    #[arg(long, value_name = "[KIND=]COLOUR", visible_alias = "color")]
     colour: Vec<String>,
     /// Strokes and gaps of one kind of visible line: curve=3mm,1mm; of hidden ones, with --hidden: hidden=2mm,1mm
     #[arg(long, value_name = "KIND=ON,OFF")]
@@ -300,7 +357,7 @@ impl PageArguments {
         }
         let page = self.page.unwrap_or(defaults.page);
         let fit = match (self.scale, self.fit) {
-            (Some(mm_per_unit), _) => Fit::Scale { mm_per_unit },
+            (Some(scale), _) => Fit::Scale { mm_per_unit: scale.mm_per_unit(self.mesh_unit) },
             (None, Some(FitArgument::View)) => Fit::View,
             (None, Some(FitArgument::Lines) | None) => Fit::Lines,
         };
@@ -323,7 +380,8 @@ impl PenArguments {
         }
         for word in &self.colour {
             let (kind, text) = split(word);
-            let colour: Colour = text.parse().map_err(|error| Failure::Input(format!("--colour {word}: {error}")))?;
+            let expected = "expected an opaque colour such as #1a2b3c or red";
+            let colour = colour(text).ok_or_else(|| Failure::Input(format!("--colour {word}: {expected}")))?;
             change("--colour", kind, &mut pens, |pen| pen.colour = colour)?;
         }
         let mut hidden = Dash::HIDDEN;
@@ -348,6 +406,12 @@ impl PenArguments {
         }
         Ok((pens, hidden))
     }
+}
+
+/// A colour as CSS writes it, names included; `None` for a translucent one, which no plotter has.
+fn colour(text: &str) -> Option<Colour> {
+    let [red, green, blue, alpha] = csscolorparser::parse(text).ok()?.to_rgba8();
+    (alpha == u8::MAX).then_some(Colour([red, green, blue]))
 }
 
 /// The kind and the value of `KIND=VALUE`, or the value alone.
@@ -415,7 +479,7 @@ mod tests {
 
     #[test]
     fn pens_are_set_one_by_one_or_all_at_once() {
-        let words = ["--width", "0.3", "--width", "ridge=2px", "--colour", "outline=#ff0000", "--dash", "curve=3,1mm"];
+        let words = ["--width", "0.3", "--width", "ridge=2px", "--colour", "outline=red", "--dash", "curve=3,1mm"];
         let options = parse(&words).plot_options().unwrap();
         assert_eq!(options.pens.of(LineKind::Mesh).width, Length::mm(0.3));
         assert_eq!(options.pens.of(LineKind::Ridge).width, Length::px(2.0));
@@ -433,6 +497,15 @@ mod tests {
             Some(a3)
         );
         assert_eq!(sheet(&["--scale", "2"]).unwrap().fit, Fit::Scale { mm_per_unit: 2.0 });
+        assert_eq!(sheet(&["--scale", "1:100"]).unwrap().fit, Fit::Scale { mm_per_unit: 0.01 });
+        assert_eq!(sheet(&["--scale", "1:50", "--mesh-unit", "m"]).unwrap().fit, Fit::Scale { mm_per_unit: 20.0 });
+        for bad in ["0", "-1", "1:0", "1:", "a", "1:2:3"] {
+            assert!(ScaleArgument::from_str(bad).is_err(), "{bad}");
+        }
+        let tabloid = sheet(&["--page", "tabloid"]).unwrap().page;
+        let inches = sheet(&["--page", "11x17in"]).unwrap().page;
+        let pairs = inches.size(Unit::Mm).into_iter().zip(tabloid.size(Unit::Mm));
+        assert!(pairs.into_iter().all(|(one, other)| (one - other).abs() < 1e-9), "{inches:?}");
         assert!(parse(&["--units", "px", "--scale", "2"]).plot_options().is_err());
     }
 }

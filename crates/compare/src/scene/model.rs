@@ -4,7 +4,7 @@ use super::error::SceneFault;
 use crate::camera_path::{Orbit, scored_frames};
 use crate::options::OptionSetting;
 use serde::{Deserialize, Serialize};
-use silhouette_core::view::Framing;
+use silhouette_core::view::{Framing, UpAxis};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -123,7 +123,10 @@ pub struct PathSpec {
     /// Vertical field of view in degrees, for a perspective and for nothing else.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fov_deg: Option<f64>,
-    /// Azimuth of the first frame, from the z axis towards the x axis.
+    /// The axis of the orbit, which points up: y where nothing is said.
+    #[serde(default, skip_serializing_if = "is_y")]
+    pub up_axis: UpAxis,
+    /// Azimuth of the first frame, from the front towards the right: with y up from the z axis towards the x axis.
     pub first_azimuth_deg: f64,
     /// Middle of the elevations, above the horizon.
     pub elevation_deg: f64,
@@ -137,6 +140,10 @@ pub struct PathSpec {
     pub frames: u32,
     /// Number of timed frames that are scored, spread evenly.
     pub scored: u32,
+}
+
+fn is_y(axis: &UpAxis) -> bool {
+    *axis == UpAxis::Y
 }
 
 /// The shape of a camera's path.
@@ -165,6 +172,7 @@ impl PathSpec {
             _ => Framing::Orthographic,
         };
         Orbit {
+            up_axis: self.up_axis,
             framing,
             size,
             views: self.warm_up.saturating_add(self.frames),

@@ -32,6 +32,15 @@ impl Unit {
     }
 }
 
+/// What may follow a number: the unit that it is kept in, and how many of that it is.
+pub(super) const SUFFIXES: [(&str, Unit, f64); 5] = [
+    ("mm", Unit::Mm, 1.0),
+    ("px", Unit::Px, 1.0),
+    ("cm", Unit::Mm, 10.0),
+    ("in", Unit::Mm, 25.4),
+    ("pt", Unit::Mm, 25.4 / 72.0),
+];
+
 /// A length in the unit it was given in, so that round numbers stay round.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Length {
@@ -60,16 +69,18 @@ impl Length {
         if self.unit == unit { self.value } else { self.value * unit.per_inch() / self.unit.per_inch() }
     }
 
-    /// Reads `0.3mm`, `2px` or, in `default`, `2`. The number is finite.
+    /// Reads `0.3mm`, `2px`, `1cm`, `0.5in`, `3pt` or, in `default`, `2`. The number is finite. Centimetres, inches and points (72
+    /// to an inch) are kept as millimetres.
     ///
     /// # Errors
     /// [`ParseLengthError`] for anything else.
     pub fn parse(text: &str, default: Unit) -> Result<Self, ParseLengthError> {
-        let (number, unit) = [Unit::Mm, Unit::Px]
+        let text = text.trim();
+        let (number, unit, factor) = SUFFIXES
             .into_iter()
-            .find_map(|unit| Some((text.strip_suffix(unit.suffix())?, unit)))
-            .unwrap_or((text, default));
-        let value = number.trim().parse().ok().filter(|value: &f64| value.is_finite());
+            .find_map(|(suffix, unit, factor)| Some((text.strip_suffix(suffix)?, unit, factor)))
+            .unwrap_or((text, default, 1.0));
+        let value = number.trim().parse().ok().map(|value: f64| value * factor).filter(|value| value.is_finite());
         Ok(Self { value: value.ok_or(ParseLengthError)?, unit })
     }
 }
@@ -91,7 +102,7 @@ impl fmt::Display for Length {
 
 /// Text that is no length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("expected a length such as 0.3mm or 2px")]
+#[error("expected a length such as 0.3mm, 1cm, 0.5in, 3pt or 2px")]
 pub struct ParseLengthError;
 
 #[cfg(test)]
@@ -103,7 +114,9 @@ mod tests {
         assert_eq!("0.3mm".parse(), Ok(Length::mm(0.3)));
         assert_eq!(" 2 px".parse(), Ok(Length::px(2.0)));
         assert_eq!(Length::parse("7", Unit::Px), Ok(Length::px(7.0)));
-        for bad in ["", "mm", "1cm", "nan", "infmm", "1,5mm"] {
+        assert_eq!(["1cm", "2in"].map(str::parse), [Ok(Length::mm(10.0)), Ok(Length::mm(50.8))]);
+        assert!(("72 pt".parse::<Length>().unwrap().to(Unit::Px) - 96.0).abs() < 1e-12);
+        for bad in ["", "mm", "1km", "nan", "infmm", "1e308in", "1,5mm"] {
             assert_eq!(bad.parse::<Length>(), Err(ParseLengthError), "{bad}");
         }
         assert_eq!(Length::px(0.5).to_string(), "0.5px");

@@ -1,6 +1,6 @@
 //! [`Page`]: the paper, and how a picture is fitted to it.
 
-use super::length::{Length, Unit};
+use super::length::{Length, SUFFIXES, Unit};
 use std::str::FromStr;
 
 /// Width and height of paper.
@@ -14,7 +14,7 @@ pub struct Page {
 
 impl Page {
     /// Named sizes with width and height in millimetres, upright.
-    pub const NAMED: [(&'static str, [f64; 2]); 8] = [
+    pub const NAMED: [(&'static str, [f64; 2]); 9] = [
         ("a0", [841.0, 1189.0]),
         ("a1", [594.0, 841.0]),
         ("a2", [420.0, 594.0]),
@@ -23,6 +23,7 @@ impl Page {
         ("a5", [148.0, 210.0]),
         ("letter", [215.9, 279.4]),
         ("legal", [215.9, 355.6]),
+        ("tabloid", [279.4, 431.8]),
     ];
 
     /// A page of 210 by 297 millimetres.
@@ -47,15 +48,18 @@ impl Page {
 impl FromStr for Page {
     type Err = ParsePageError;
 
-    /// Reads a name of [`Page::NAMED`] in either case, or width and height such as `200x150`, `200x150mm`, `800x600px`.
+    /// Reads a name of [`Page::NAMED`] in either case, or width and height such as `200x150`, `200x150mm`, `11x17in`, `800x600px`.
     fn from_str(text: &str) -> Result<Self, ParsePageError> {
         if let Some((_, [width, height])) = Self::NAMED.iter().find(|(name, _)| name.eq_ignore_ascii_case(text)) {
             return Ok(Self { width: Length::mm(*width), height: Length::mm(*height) });
         }
         // The height's unit is the width's, too: "px" holds the letter that separates them.
-        let unit = if text.ends_with(Unit::Px.suffix()) { Unit::Px } else { Unit::Mm };
-        let sides = text.strip_suffix(unit.suffix()).unwrap_or(text).split_once('x');
-        let side = |text| Length::parse(text, unit).ok().filter(|side| side.to(unit) > 0.0);
+        let suffix = SUFFIXES.into_iter().map(|(suffix, ..)| suffix).find(|suffix| text.ends_with(suffix));
+        let suffix = suffix.unwrap_or(Unit::Mm.suffix());
+        let sides = text.strip_suffix(suffix).unwrap_or(text).split_once('x');
+        let is_number = |text: &str| !text.ends_with(|letter: char| letter.is_ascii_alphabetic());
+        let length = |text: &str| is_number(text).then(|| format!("{text}{suffix}").parse().ok()).flatten();
+        let side = |text| length(text).filter(|side: &Length| side.to(Unit::Mm) > 0.0);
         let sides = sides.and_then(|(width, height)| Some(Self { width: side(width)?, height: side(height)? }));
         sides.ok_or(ParsePageError)
     }
@@ -63,7 +67,7 @@ impl FromStr for Page {
 
 /// Text that is no page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("expected a0, a1, a2, a3, a4, a5, letter, legal, or width and height such as 200x150mm or 800x600px")]
+#[error("expected a0 to a5, letter, legal, tabloid, or width and height such as 200x150mm, 11x17in or 800x600px")]
 pub struct ParsePageError;
 
 /// How large a picture becomes on its page.
