@@ -9,6 +9,7 @@
 //! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint; [`displaced`]: the same for a viewer in general position. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops; [`curves`]: silhouettes as smooth pieces.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
+//! 8. `save`: a mesh with its hard edges and silhouettes becomes a file (cargo feature `save`).
 //!
 //! Cost is stated in faces F, edges E, vertices V and silhouette edges S. Every result is the same bits for any number
 //! of threads. Nothing here knows about a GPU. Only the feature `simplify` needs a C++ compiler.
@@ -16,6 +17,8 @@
 pub mod curves;
 pub mod disjoint_sets;
 pub mod displaced;
+#[cfg(any(feature = "gltf", feature = "save"))]
+mod edge_visibility;
 mod exact;
 pub mod face_normal;
 pub mod facing;
@@ -32,6 +35,8 @@ pub mod method;
 pub mod orientation;
 pub mod prepared;
 pub mod progress;
+#[cfg(feature = "save")]
+pub mod save;
 pub mod shapes;
 pub mod silhouette;
 #[cfg(feature = "simplify")]
