@@ -21,6 +21,7 @@ pub(crate) enum EdgeCode {
 const PER_BYTE: usize = 4;
 
 /// Bytes that the codes of a primitive with so many triangles take, three per triangle. The spare bits of the last are 0.
+#[cfg(feature = "gltf")]
 pub(crate) fn packed_len(triangles: u64) -> u64 {
     triangles.saturating_mul(3).div_ceil(PER_BYTE as u64)
 }
