@@ -6,7 +6,7 @@
 //! | PLY | rows of `vertex` | text and binary; `face`, `tristrips` |
 //! | OFF | vertex rows | text; `[ST][C][N]OFF` |
 //! | STL | equal positions joined, in order of appearance | text and binary |
-//! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied |
+//! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied; hard edges |
 //!
 //! Applications that have loaded their scene with `tobj` make it a mesh by `TriangleMesh::from_tobj`, cargo feature `tobj`.
 //!

@@ -8,8 +8,8 @@ use crate::orientation::orientation;
 use crate::topology::Topology;
 use glam::DVec3;
 
-/// What stands for a component of 1. 16 bits, since normals of 8 bits would be equal where faces bend by less than half a degree,
-/// so that finer meshes would have no silhouette.
+/// What stands for a component of 1. 16 bits, since both normals of an edge would often be equal in 8 bits where faces bend by
+/// less than half a degree, so that finer meshes would have no silhouette.
 const ONE: f64 = i16::MAX as f64;
 
 /// A code for each half-edge, and two normals for each that is a silhouette, in the same order.
