@@ -145,6 +145,13 @@ fn unknown_members_are_passed_over() {
     assert_eq!(feature_edges(Gltf, draft.glb()), [[0, 1], [2, 3]]);
 }
 
+/// A hard edge that is coded as 2 in both triangles, and spare bits that are not 0, leave no doubt.
+#[test]
+fn codes_that_break_a_rule_but_are_clear_are_taken() {
+    let repeated = Square::new().visibility(&[0b10_10_00_10, 0b1111_00_10]);
+    assert_eq!(feature_edges(Gltf, repeated.glb()), [[0, 1], [0, 2], [2, 3]]);
+}
+
 #[test]
 fn accessors_that_do_not_fit_are_refused() {
     let refused = |square: Square, parts: &[&str]| assert_refused(Gltf, square.glb(), PRIMITIVE, parts);
