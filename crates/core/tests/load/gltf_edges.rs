@@ -107,7 +107,7 @@ fn triangles_without_indices_have_codes() {
     let mut document = Document::default();
     document.positions(&SQUARE[..3]);
     let square = Square { document, members: Vec::new(), rest: String::new() };
-    assert_eq!(feature_edges(Gltf, square.visibility(&[0b10_00_10]).glb()), [[0, 1], [0, 2]]);
+    assert_eq!(feature_edges(Gltf, square.visibility(&[0b0010_0010]).glb()), [[0, 1], [0, 2]]);
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn unknown_members_are_passed_over() {
 /// A hard edge that is coded as 2 in both triangles, and spare bits that are not 0, leave no doubt.
 #[test]
 fn codes_that_break_a_rule_but_are_clear_are_taken() {
-    let repeated = Square::new().visibility(&[0b10_10_00_10, 0b1111_00_10]);
+    let repeated = Square::new().visibility(&[0b1010_0010, 0b1111_0010]);
     assert_eq!(feature_edges(Gltf, repeated.glb()), [[0, 1], [0, 2], [2, 3]]);
 }
 
