@@ -31,19 +31,24 @@ pub enum Command {
     /// Count and check a mesh: components, genus, boundary loops and every defect with its ids
     #[command(after_help = "Examples:\n  silhouettes inspect bunny.obj\n  silhouettes inspect builtin:moebius --json")]
     Inspect(InspectArguments),
-    /// Find silhouette edges, loops and smooth curves; write JSON, SVG or OBJ
+    /// Find silhouette edges, loops and smooth curves; write JSON, SVG or OBJ, or the edges of every view as GLB
     #[command(after_help = "Examples:\n  \
         silhouettes extract bunny.obj --eye 0,0.1,1\n  \
         silhouettes extract builtin:torus --view iso -o torus.svg\n  \
         silhouettes extract part.stl --ortho fit --view front -o outline.obj\n  \
-        silhouettes extract coarse.obj --method smoothing -o smooth.svg\n\n\
+        silhouettes extract coarse.obj --method smoothing -o smooth.svg\n  \
+        silhouettes extract part.stl --creases 30 -o part.glb\n\n\
         JSON: {\"method\", \"mesh\": {\"vertices\", \"triangles\"}, \"viewpoint\", \"edges\": [[a,b]...], \"boundary\": [[a,b]...],\n\
         \"loops\": [[v...]...], \"stats\"}. Edges have a < b and are sorted; \"edges\" holds all silhouette edges, \"boundary\"\n\
         those among them that have one face only. Loops run with the front face on the left. A method with curves adds\n\
         \"curves\": [{\"closed\", \"pieces\": [{\"kind\": \"silhouette\"|\"boundary\"|\"crease\", \"source\": {\"face\": n} or\n\
         {\"edge\": [a,b]}, \"control\": [[x,y,z] x 4]}...]}...], cubic Bezier curves in the coordinates of the mesh; one without\n\
         edges leaves out \"edges\", \"boundary\" and \"loops\". Curves, where there are any, are what SVG and OBJ hold: SVG as\n\
-        cubics within 0.05 pixels, OBJ as polylines within a ten-thousandth of the mesh's extent.")]
+        cubics within 0.05 pixels, OBJ as polylines within a ten-thousandth of the mesh's extent.\n\
+        GLB: the mesh with the extension EXT_mesh_primitive_edge_visibility, for viewers that draw its edges themselves, in any\n\
+        view: hard edges always, smooth ones where they are silhouettes. Hard are boundaries, edges that do not join two\n\
+        consistently wound faces, edges that the mesh's file calls sharp, and creases. It is read back as a mesh with sharp\n\
+        edges. docs/formats/glb-edges.md describes it.")]
     Extract(ExtractArguments),
     /// Draw visible lines, hidden ones removed, as SVG for plotters; also JSON and glTF
     #[command(after_help = "Examples:\n  \
@@ -131,11 +136,16 @@ pub struct InspectArguments {
 #[derive(Debug, Clone, Args)]
 pub struct MethodArguments {
     /// Name of the method
-    #[arg(long, value_name = "NAME", default_value = "brute-force")]
+    #[arg(long, value_name = "NAME", default_value = Self::DEFAULT)]
     pub method: String,
     /// An option of the method; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+}
+
+impl MethodArguments {
+    /// The method where none is named.
+    pub const DEFAULT: &str = "brute-force";
 }
 
 /// Arguments of `extract`.
@@ -145,7 +155,14 @@ pub struct ExtractArguments {
     pub mesh: String,
     #[command(flatten)]
     pub method: MethodArguments,
-    /// Output file: .json, .svg or .obj [default: JSON on standard output]
+    /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries; numbers of vertices are
+    /// then those of the joined mesh [--weld alone: 0]
+    #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
+    pub weld: Option<f32>,
+    /// GLB: edges whose faces bend by at least this angle are hard [default: 75]
+    #[arg(long, value_name = "DEG", value_parser = bend)]
+    pub creases: Option<f64>,
+    /// Output file: .json, .svg, .obj or .glb [default: JSON on standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -214,6 +231,12 @@ pub struct BakeArguments {
 
 fn samples(text: &str) -> Result<u32, String> {
     text.parse().ok().filter(|samples| [1, 4].contains(samples)).ok_or_else(|| "expected 1 or 4".to_owned())
+}
+
+/// An angle between faces.
+pub fn bend(text: &str) -> Result<f64, String> {
+    let degrees = text.parse().ok().filter(|degrees: &f64| (0.0..=180.0).contains(degrees));
+    degrees.ok_or_else(|| "expected an angle of 0 to 180 degrees".to_owned())
 }
 
 /// How much a comparison measures.

@@ -1,7 +1,7 @@
 //! The camera options that every command shares.
 
 use crate::failure::Failure;
-use clap::{Args, ValueEnum};
+use clap::{Args, Parser, ValueEnum};
 use glam::{DVec3, Vec3};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, Framing, Projection, UpAxis, ViewPreset, Viewpoint};
@@ -10,7 +10,7 @@ use silhouette_core::view::{Camera, Framing, Projection, UpAxis, ViewPreset, Vie
 const DEFAULT_FOV_DEG: f64 = 40.0;
 
 /// From where the mesh is seen. Default: a three-quarter view that frames the mesh.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, PartialEq, Args)]
 #[command(next_help_heading = "Camera")]
 pub struct CameraArguments {
     /// Where the eye is, in the mesh's own coordinates; by default as far along --view as the mesh needs to fit. Beside --view
@@ -64,7 +64,19 @@ enum OrthoHeight {
     Units(f64),
 }
 
+/// A command line without options.
+#[derive(Debug, Parser)]
+struct NoOptions {
+    #[command(flatten)]
+    camera: CameraArguments,
+}
+
 impl CameraArguments {
+    /// Whether no option says anything but what it is without them.
+    pub fn is_default(&self) -> bool {
+        *self == NoOptions::parse_from([""]).camera
+    }
+
     /// The camera for a mesh with these bounds.
     pub fn camera(&self, bounds: &Bounds) -> Result<Camera, Failure> {
         let fov_y_rad = self.fov.unwrap_or(DEFAULT_FOV_DEG).to_radians();

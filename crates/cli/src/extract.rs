@@ -1,10 +1,11 @@
-//! `silhouettes extract`: silhouette edges, loops and curves as data.
+//! `silhouettes extract`: silhouette edges, loops and curves as data; the edges of every view for viewers.
 
+mod glb;
 mod json;
 mod obj;
 mod svg;
 
-use crate::args::ExtractArguments;
+use crate::args::{ExtractArguments, MethodArguments};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::Output;
@@ -51,9 +52,24 @@ enum Format {
     Obj,
 }
 
+/// What is to be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    /// What a method finds in one view.
+    View(Format),
+    /// The edges of every view, as GLB.
+    EveryView,
+}
+
 /// Runs the command.
 pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Failure> {
-    let format = format_of(arguments.output.as_deref())?;
+    let format = match wanted(arguments.output.as_deref())? {
+        Wanted::View(format) => format,
+        Wanted::EveryView => return edges_of_every_view(arguments),
+    };
+    if arguments.creases.is_some() {
+        return Err(Failure::Input("--creases: only a .glb has hard edges; give -o a name that ends in it".into()));
+    }
     let entry = registry.find(&arguments.method.method).map_err(Failure::input)?;
     let info = entry.info();
     let extracts = |can: Capabilities| can.edges || can.curves;
@@ -64,7 +80,7 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let options = OptionValues::parse(info.options, arguments.method.set.iter().map(String::as_str))?;
     let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
-    let NamedMesh { name, mesh } = input::mesh(&arguments.mesh, &progress)?;
+    let NamedMesh { name, mesh } = input::welded(&arguments.mesh, arguments.weld, &progress)?;
     let bounds = mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{name}: has no face")))?;
     let viewpoint = arguments.camera.viewpoint(&bounds)?;
 
@@ -82,6 +98,22 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
         Format::Svg => svg::write(&found, &name, &arguments.camera.camera(&bounds)?),
     };
     output.write(&bytes)
+}
+
+/// Writes the edges that viewers draw in any view.
+fn edges_of_every_view(arguments: &ExtractArguments) -> Result<(), Failure> {
+    let MethodArguments { method, set } = &arguments.method;
+    if method != MethodArguments::DEFAULT || !set.is_empty() || !arguments.camera.is_default() {
+        let mend = "leave out --method, --set and the camera, or choose .json, .svg or .obj";
+        return Err(Failure::Input(format!("a .glb holds the edges of every view, whatever finds them; {mend}")));
+    }
+    let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
+    let progress = TerminalProgress::new();
+    let mesh = input::welded(&arguments.mesh, arguments.weld, &progress)?;
+    if mesh.mesh.mesh().face_count() == 0 {
+        return Err(Failure::Input(format!("{}: has no face", mesh.name)));
+    }
+    output.write(&glb::write(&mesh, arguments.creases.unwrap_or(glb::DEFAULT_CREASE_DEG), &progress)?)
 }
 
 /// The curves that a method finds, and what that took.
@@ -126,14 +158,15 @@ fn loops_of(
     loops
 }
 
-fn format_of(path: Option<&Path>) -> Result<Format, Failure> {
-    let Some(path) = path else { return Ok(Format::Json) };
+fn wanted(path: Option<&Path>) -> Result<Wanted, Failure> {
+    let Some(path) = path else { return Ok(Wanted::View(Format::Json)) };
     match path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("json") => Ok(Format::Json),
-        Some("svg") => Ok(Format::Svg),
-        Some("obj") => Ok(Format::Obj),
+        Some("json") => Ok(Wanted::View(Format::Json)),
+        Some("svg") => Ok(Wanted::View(Format::Svg)),
+        Some("obj") => Ok(Wanted::View(Format::Obj)),
+        Some("glb") => Ok(Wanted::EveryView),
         _ => Err(Failure::Input(format!(
-            "{}: unknown kind of output; end its name in .json, .svg or .obj",
+            "{}: unknown kind of output; end its name in .json, .svg, .obj or .glb",
             path.display()
         ))),
     }

@@ -6,6 +6,7 @@ use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
 use silhouette_core::load::{self, Format, LabelledMesh};
 use silhouette_core::prepared::Artefact;
+use silhouette_core::weld::weld_within;
 use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
 use silhouette_texture::{Textures, siltex};
 use std::io::Read as _;
@@ -14,9 +15,32 @@ use std::sync::Arc;
 
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
-    let (name, loaded) = labelled(argument, progress)?;
+    labelled(argument, progress).map(|(name, loaded)| prepared(name, loaded))
+}
+
+fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
     let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
-    Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) })
+    NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) }
+}
+
+/// The same with vertices joined that are no farther apart than a distance, if there is one.
+pub fn welded(argument: &str, distance: Option<f32>, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+    let (name, mut loaded) = labelled(argument, progress)?;
+    if let Some(distance) = distance {
+        weld(&mut loaded, distance)?;
+    }
+    Ok(prepared(name, loaded))
+}
+
+/// Joins vertices no farther apart than a distance; feature edges are then between the joined ones.
+pub fn weld(loaded: &mut LabelledMesh, distance: f32) -> Result<(), Failure> {
+    let welded = weld_within(&loaded.mesh, distance).map_err(|error| Failure::Input(format!("--weld: {error}")))?;
+    let edges = loaded.feature_edges.iter().map(|edge| edge.map(|vertex| welded.vertex_of[vertex as usize]));
+    loaded.feature_edges = edges.filter(|[a, b]| a != b).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    loaded.feature_edges.sort_unstable();
+    loaded.feature_edges.dedup();
+    loaded.mesh = welded.mesh;
+    Ok(())
 }
 
 /// The same for what `method` is to draw: a `.siltex` file, too, is a mesh for methods that draw silhouette textures, that of

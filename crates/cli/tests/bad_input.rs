@@ -202,6 +202,46 @@ fn outputs_that_cannot_be_written() {
 
 /// 6000 long, thin triangles, nearly all of which cross each other, exceed the work limit of a view.
 #[test]
+fn arguments_that_do_not_go_with_a_glb() {
+    let folder = Folder::new();
+    let mesh = folder.file("mesh.obj", OBJ);
+    let glb = folder.path("x.glb");
+    for options in
+        [["--method", "tracking"], ["--set", "speed=9"], ["--eye", "1,2,3"], ["--view", "iso"], ["--fov", "30"]]
+    {
+        let line = refused(&[&["extract", &mesh, "-o", glb.to_str().unwrap()], &options[..]].concat());
+        assert!(line.contains("edges of every view"), "{line}");
+    }
+    assert!(refused(&["extract", &mesh, "--creases", "30"]).contains(".glb"));
+    assert!(refused(&["extract", &mesh, "--creases", "181", "-o", glb.to_str().unwrap()]).contains("0 to 180"));
+    assert!(refused(&["extract", &mesh, "--weld=-1", "-o", glb.to_str().unwrap()]).contains("--weld"));
+    assert!(!glb.exists());
+}
+
+/// A file of edges whose document says something else about them than its bytes do.
+#[test]
+fn edges_that_do_not_fit_their_mesh() {
+    let folder = Folder::new();
+    let good = folder.path("good.glb");
+    assert!(silhouettes(&["extract", "builtin:cylinder", "-o", good.to_str().unwrap()]).status.success());
+    let bytes = fs::read(good).unwrap();
+    let of_text = |from: &str, to: &str| {
+        assert_eq!(from.len(), to.len());
+        let at = bytes.windows(from.len()).position(|window| window == from.as_bytes()).unwrap();
+        let mut bytes = bytes.clone();
+        bytes[at..at + to.len()].copy_from_slice(to.as_bytes());
+        folder.file("bad.glb", bytes)
+    };
+    let place = "meshes[0].primitives[0]";
+    bad_mesh(&folder, &of_text("\"count\":192,", "\"count\":191,"), place);
+    bad_mesh(&folder, &of_text("\"count\":192,", "\"count\":191,"), "191 bytes for 256 triangles");
+    bad_mesh(&folder, &of_text("\"count\":128,", "\"count\":129,"), "an accessor");
+    bad_mesh(&folder, &of_text("\"count\":128,", "\"count\":127,"), "127 for 64 silhouettes");
+    bad_mesh(&folder, &of_text("5121", "5123"), "unsigned bytes");
+    bad_mesh(&folder, &of_text("\"visibility\":2", "\"visibility\":7"), "beyond the 4 accessors");
+}
+
+#[test]
 fn tangles_are_refused() {
     let folder = Folder::new();
     let share = |at: usize, step: usize| (at * step % 6007) as f64 / 6007.0;

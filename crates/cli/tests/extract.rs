@@ -112,3 +112,71 @@ fn curves_are_cubics_in_every_format() {
     assert_eq!((line[0], line[0]), ("1", line[line.len() - 1]), "closed");
     assert_eq!(obj.lines().filter(|line| line.starts_with("v ")).count(), line.len() - 1);
 }
+
+/// The document of a GLB file.
+fn document(path: &str) -> Value {
+    let bytes = std::fs::read(path).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&bytes[20..20 + length]).unwrap()
+}
+
+/// The extension's object of a GLB file, and how many normals of silhouettes there are.
+fn edges_of(path: &str) -> (Value, u64) {
+    let document = document(path);
+    let extension = document["meshes"][0]["primitives"][0]["extensions"]["EXT_mesh_primitive_edge_visibility"].clone();
+    let normals = extension["silhouetteNormals"].as_u64().map(|accessor| &document["accessors"][accessor as usize]);
+    let count = normals.map_or(0, |accessor| accessor["count"].as_u64().unwrap());
+    (extension, count)
+}
+
+/// A cylinder of 64 sides bends by 5.6 degrees along it, and by 90 at its rims.
+#[test]
+fn a_glb_holds_the_edges_of_every_view() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for (creases, silhouettes) in [(None, 64), (Some("91"), 3 * 64), (Some("5"), 0), (Some("180"), 3 * 64)] {
+        let options = creases.map(|deg| ["--creases", deg]).into_iter().flatten();
+        let command = ["extract", "builtin:cylinder", "-o"].into_iter().map(str::to_owned).chain([path("x.glb")]);
+        let command: Vec<_> = command.chain(options.map(str::to_owned)).collect();
+        assert_eq!(stdout(&command.iter().map(String::as_str).collect::<Vec<_>>()), "");
+        let (extension, normals) = edges_of(&path("x.glb"));
+        assert!(extension["visibility"].is_u64(), "{extension}");
+        assert_eq!(normals, 2 * silhouettes, "{creases:?}");
+    }
+    assert_eq!(document(&path("x.glb"))["extensionsUsed"][0], "EXT_mesh_primitive_edge_visibility");
+}
+
+/// What was hard when the file was written is sharp when it is read, though nothing bends by 180 degrees.
+#[test]
+fn a_glb_is_read_back_with_its_hard_edges() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for mesh in ["builtin:gear", "builtin:moebius"] {
+        stdout(&["extract", mesh, "-o", &path("x.glb")]);
+        stdout(&["extract", &path("x.glb"), "--creases", "180", "-o", &path("again.glb")]);
+        assert_eq!(std::fs::read(path("x.glb")).unwrap(), std::fs::read(path("again.glb")).unwrap());
+        let [built_in, read] = [mesh, &path("x.glb")].map(|mesh| json(&["extract", mesh, "--eye", "3,4,5"]));
+        assert_eq!(built_in["edges"], read["edges"]);
+    }
+}
+
+/// Two triangles with a seam between them, declared sharp on one of its sides.
+#[test]
+fn welding_closes_seams_and_keeps_sharp_edges() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let rows = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0.1\nf 1 2 3\nf 4 5 6\n";
+    std::fs::write(path("seam.obj"), rows).unwrap();
+    std::fs::write(path("sharp.obj"), format!("{rows}l 1 3\n")).unwrap();
+    let normals = |mesh: &str, options: &[&str]| {
+        stdout(&[&["extract", &path(mesh), "-o", &path("x.glb")], options].concat());
+        edges_of(&path("x.glb")).1
+    };
+    assert_eq!(normals("seam.obj", &[]), 0, "a seam is a boundary");
+    assert_eq!(normals("seam.obj", &["--weld"]), 2);
+    assert_eq!(normals("sharp.obj", &["--weld"]), 0, "the edge is hard");
+    let [seam, welded] = [&[][..], &["--weld=0.01"]]
+        .map(|options: &[&str]| json(&[&["extract", &path("seam.obj"), "--eye", "0.5,0.5,9"], options].concat()));
+    assert_eq!([&seam, &welded].map(|found| found["edges"].as_array().unwrap().len()), [6, 4]);
+    assert_eq!(welded["mesh"]["vertices"], 4);
+}

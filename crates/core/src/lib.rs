@@ -4,11 +4,12 @@
 //!
 //! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
 //! 2. [`weld`]: merging of coincident vertices, [`heal`]: mending of T-junctions, both on request only. [`inspect`]: what is wrong with a mesh, with ids.
-//! 3. [`topology`]: edges with all their incident faces, twin half-edges. [`subdivide`]: a finer, smoother mesh; `simplify`: a coarser one (cargo feature `simplify`).
+//! 3. [`topology`]: edges with all their incident faces, twin half-edges; [`feature_edges`](mod@feature_edges): those at which the surface is sharp; [`face_normal`](mod@face_normal). [`subdivide`]: a finer, smoother mesh; `simplify`: a coarser one (cargo feature `simplify`).
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
 //! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint; [`displaced`]: the same for a viewer in general position. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
 //! 6. [`silhouette`]: the silhouette edges of a facing; [`loops`]: the same edges as closed, oriented loops; [`curves`]: silhouettes as smooth pieces.
 //! 7. [`prepared`]: artefacts derived from a mesh, each built the first time something asks for it.
+//! 8. `save`: a mesh with its hard edges and silhouettes becomes a file (cargo feature `save`).
 //!
 //! Cost is stated in faces F, edges E, vertices V and silhouette edges S. Every result is the same bits for any number
 //! of threads. Nothing here knows about a GPU. Only the feature `simplify` needs a C++ compiler.
@@ -16,9 +17,13 @@
 pub mod curves;
 pub mod disjoint_sets;
 pub mod displaced;
+#[cfg(any(feature = "gltf", feature = "save"))]
+mod edge_visibility;
 mod exact;
+pub mod face_normal;
 pub mod facing;
 pub mod facing_memo;
+pub mod feature_edges;
 pub mod heal;
 pub mod id;
 pub mod inspect;
@@ -30,6 +35,8 @@ pub mod method;
 pub mod orientation;
 pub mod prepared;
 pub mod progress;
+#[cfg(feature = "save")]
+pub mod save;
 pub mod shapes;
 pub mod silhouette;
 #[cfg(feature = "simplify")]

@@ -102,6 +102,19 @@ impl Topology {
         self.half_edges(edge).iter().map(|half_edge| half_edge.face())
     }
 
+    /// The two faces of an edge that joins exactly two, wound consistently: their half-edges run in opposite directions.
+    /// `None` for boundary and non-manifold edges, where the winding changes, for sides from a vertex to itself, and for two
+    /// sides of one face. `mesh` is the mesh that this was built from.
+    ///
+    /// # Panics
+    /// If the mesh has no such edge.
+    pub fn consistent_pair(&self, mesh: &TriangleMesh, edge: EdgeId) -> Option<[FaceId; 2]> {
+        let &[a, b] = self.half_edges(edge) else { return None };
+        let begins = |at: HalfEdgeId| mesh.triangles()[at.face().index()][at.slot() as usize];
+        let [from, to] = self.end_points(edge);
+        (from != to && a.face() != b.face() && begins(a) != begins(b)).then(|| [a.face(), b.face()])
+    }
+
     /// A copy in which nothing lies across some edges: each of their half-edges has a border there, whatever it had
     /// before. Ids and the faces at each edge stay as they are, so results name the elements of the original. O(F).
     ///

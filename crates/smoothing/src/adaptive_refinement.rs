@@ -19,7 +19,6 @@
 //! 5. Normals are interpolated linearly, so that a face does not change its light when it is split.
 
 use crate::eye::{Eye, SmoothingView};
-use crate::face_normal::face_normal;
 use crate::face_splitter::{FaceSplitter, Patch, Splitting};
 use crate::hermite::Hermite;
 use crate::pn_triangles::PnPatch;
@@ -28,6 +27,7 @@ use crate::shading_normals::NormalWeights;
 use crate::side_curves::side_curves;
 use crate::tessellation::check_size;
 use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
+use silhouette_core::face_normal::face_normal;
 use silhouette_core::glam::DVec3;
 use silhouette_core::id::PerEdge;
 use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};

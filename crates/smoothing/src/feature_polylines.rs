@@ -111,7 +111,7 @@ fn is_smooth_turn(before: DVec3, after: DVec3, least_cosine: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::feature_edges::feature_edges;
+    use silhouette_core::feature_edges::feature_edges;
     use silhouette_core::shapes::{self, Cuboid};
 
     fn polylines_of(mesh: &TriangleMesh, crease_deg: f64, corner_deg: f64) -> Vec<FeaturePolyline> {

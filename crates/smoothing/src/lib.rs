@@ -35,7 +35,7 @@
 //!
 //! | step | paper | file |
 //! |---|---|---|
-//! | feature edges, chained to polylines, each edge replaced by a curve; once per mesh | II, III-A | [`feature_edges`](mod@feature_edges), [`feature_polylines`](mod@feature_polylines), [`feature_segments`] |
+//! | feature edges, chained to polylines, each edge replaced by a curve; once per mesh | II, III-A | [`feature_edges`](mod@silhouette_core::feature_edges), [`feature_polylines`](mod@feature_polylines), [`feature_segments`] |
 //! | shading normals, one for each vertex and group of faces; once per mesh | III-B | [`shading_normals`](mod@shading_normals), [`shading_mesh`] |
 //! | which vertices are visible, in clusters | III-B | [`vertex_visibility`] |
 //! | silhouette triangles: faces with visible and invisible vertices | II | [`silhouette_triangles`](mod@silhouette_triangles) |
@@ -73,8 +73,6 @@ pub mod concavity;
 pub mod curves;
 pub mod emerging_points;
 pub mod eye;
-pub mod face_normal;
-pub mod feature_edges;
 pub mod feature_polylines;
 pub mod feature_samples;
 pub mod feature_segments;

@@ -10,7 +10,7 @@ use silhouette_core::{DisjointSets, EdgeId, FaceId, Topology, TriangleMesh};
 pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
     let mut sets = DisjointSets::new(mesh.face_count());
     for edge in (0..topology.edge_count()).map(EdgeId::from_usize) {
-        if let Some([a, b]) = consistent_pair(mesh, topology, edge) {
+        if let Some([a, b]) = topology.consistent_pair(mesh, edge) {
             sets.unite(a.get(), b.get());
         }
     }
@@ -33,14 +33,6 @@ pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
         }
     }
     (0..mesh.face_count() as u32).map(|face| parts[sets.find(face) as usize].volume < 0.0).collect()
-}
-
-/// The two faces of an edge that joins exactly two, wound alike.
-pub(crate) fn consistent_pair(mesh: &TriangleMesh, topology: &Topology, edge: EdgeId) -> Option<[FaceId; 2]> {
-    let &[a, b] = topology.half_edges(edge) else { return None };
-    let begins = |at: silhouette_core::HalfEdgeId| mesh.triangles()[at.face().index()][at.slot() as usize];
-    let [from, to] = topology.end_points(edge);
-    (from != to && a.face() != b.face() && begins(a) != begins(b)).then(|| [a.face(), b.face()])
 }
 
 #[derive(Debug, Clone, Copy, Default)]

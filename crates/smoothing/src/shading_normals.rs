@@ -5,7 +5,7 @@
 //! weights of Max ("Weights for computing vertex normals from facet normals", Journal of Graphics Tools 4(2), 1999) are exact
 //! wherever a vertex and its neighbours lie on one sphere. `docs/methods/smoothing.md` has the figures.
 
-use crate::face_normal::face_normal;
+use silhouette_core::face_normal::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::id::{FaceId, PerEdge};
 use silhouette_core::{DisjointSets, EdgeId, Topology, TriangleMesh};
@@ -104,7 +104,7 @@ const LEAST_SHARE: f64 = 1e-6;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::feature_edges::feature_edges;
+    use silhouette_core::feature_edges::feature_edges;
     use silhouette_core::shapes::{self, Cuboid};
 
     fn groups_and_normals(mesh: &TriangleMesh, crease_deg: f64) -> (Groups, Vec<Vec3>) {

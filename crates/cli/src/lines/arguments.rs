@@ -1,5 +1,6 @@
 //! The arguments of `lines`, and the options they stand for.
 
+use crate::args::bend;
 use crate::camera::CameraArguments;
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
@@ -438,12 +439,6 @@ fn change(option: &str, kind: Option<&str>, pens: &mut Pens, change: impl Fn(&mu
 fn length(option: &str, text: Option<&str>, unit: Unit, default: Length) -> Result<Length, Failure> {
     let Some(text) = text else { return Ok(default) };
     Length::parse(text, unit).map_err(|error| Failure::Input(format!("{option} {text}: {error}")))
-}
-
-/// An angle between faces.
-fn bend(text: &str) -> Result<f64, String> {
-    let degrees = text.parse().ok().filter(|degrees: &f64| (0.0..=180.0).contains(degrees));
-    degrees.ok_or_else(|| "expected an angle of 0 to 180 degrees".to_owned())
 }
 
 #[cfg(test)]

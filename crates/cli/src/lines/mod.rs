@@ -15,7 +15,6 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
-use silhouette_core::weld::weld_within;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, GltfContainer, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
@@ -96,17 +95,12 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
 /// The meshes with their names, welded and healed if that is asked for.
 fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
     let mut meshes = input::labelled_meshes(&arguments.meshes, progress)?;
-    if arguments.weld.is_some() || arguments.heal.is_some() {
-        // Their vertices get other numbers, and no line is drawn along them.
-        meshes.iter_mut().for_each(|(_, loaded)| loaded.feature_edges.clear());
-    }
     if let Some(distance) = arguments.weld {
-        for (_, loaded) in &mut meshes {
-            let welded = weld_within(&loaded.mesh, distance);
-            loaded.mesh = welded.map_err(|error| Failure::Input(format!("--weld: {error}")))?.mesh;
-        }
+        meshes.iter_mut().try_for_each(|(_, loaded)| input::weld(loaded, distance))?;
     }
     if let Some(distance) = arguments.heal {
+        // Their vertices get other numbers, and no line is drawn along them.
+        meshes.iter_mut().for_each(|(_, loaded)| loaded.feature_edges.clear());
         for (name, loaded) in &mut meshes {
             heal(name, loaded, distance)?;
         }

@@ -1,7 +1,7 @@
 //! What every reader fills: positions and triangles in file order.
 
 use super::error::{Located, Problem};
-use super::polygon::fan;
+use super::polygon::{fan, sides};
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
 
@@ -14,8 +14,9 @@ pub struct LabelledMesh {
     /// difference between any two.
     pub labels: Option<Vec<u32>>,
     /// Edges of the mesh at which the file says that the surface is sharp, as pairs of vertex ids, lower first, sorted,
-    /// each once. Only OBJ says so: by smoothing groups (`s`), if not all faces are in the same one, and by line elements
-    /// (`l`). Every side of a face in group 0 (`s off`) is sharp, the face being shaded flat.
+    /// each once. OBJ says so by smoothing groups (`s`), if not all faces are in the same one, and by line elements (`l`); every
+    /// side of a face in group 0 (`s off`) is sharp, the face being shaded flat. glTF says so by the hard edges of the extension
+    /// `EXT_mesh_primitive_edge_visibility`.
     pub feature_edges: Vec<[u32; 2]>,
 }
 
@@ -24,6 +25,8 @@ pub struct LabelledMesh {
 pub(super) struct Assembly {
     pub(super) positions: Vec<Vec3>,
     pub(super) triangles: Vec<[u32; 3]>,
+    /// Pairs of vertices along which the surface is sharp, in any order, if they are an edge of the mesh.
+    pub(super) feature_edges: Vec<[u32; 2]>,
     /// From which triangle on which label holds; 0 before the first.
     label_runs: Vec<(usize, u32)>,
 }
@@ -51,8 +54,9 @@ impl Assembly {
             return Err(Problem::NoFaces.into());
         }
         let labels = self.labels();
+        let feature_edges = edges_among(self.feature_edges, &self.triangles);
         let mesh = TriangleMesh::new(self.positions, self.triangles)?;
-        Ok(LabelledMesh { mesh, labels, feature_edges: Vec::new() })
+        Ok(LabelledMesh { mesh, labels, feature_edges })
     }
 
     /// The label of each triangle, if there are two.
@@ -69,6 +73,27 @@ impl Assembly {
         let first = *labels.first()?;
         labels.iter().any(|&label| label != first).then_some(labels)
     }
+}
+
+/// Those of some pairs of vertices that are sides of triangles, lower vertex first, sorted, each once. O(F) without pairs,
+/// otherwise O((F + pairs) log pairs).
+fn edges_among(mut pairs: Vec<[u32; 2]>, triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    // A face may name a vertex twice.
+    pairs.retain(|[a, b]| a != b);
+    pairs.iter_mut().for_each(|pair| pair.sort_unstable());
+    pairs.sort_unstable();
+    pairs.dedup();
+    if pairs.is_empty() {
+        return pairs;
+    }
+    let mut is_side = vec![false; pairs.len()];
+    for at in triangles.iter().flat_map(|&triangle| sides(triangle)).filter_map(|side| pairs.binary_search(&side).ok())
+    {
+        is_side[at] = true;
+    }
+    let mut is_side = is_side.into_iter();
+    pairs.retain(|_| is_side.next() == Some(true));
+    pairs
 }
 
 /// `index` as a vertex id of a format that counts from 0.

@@ -1,5 +1,6 @@
 //! Edges at which an OBJ file says that the surface is sharp: between smoothing groups (`s`) and along line elements (`l`).
 
+use super::polygon::sides;
 use rayon::slice::ParallelSliceMut as _;
 use std::collections::HashSet;
 
@@ -100,9 +101,4 @@ fn sides_of_fan(fan: &[[u32; 3]]) -> impl Iterator<Item = [u32; 2]> {
         let is_side = [rank == 0, true, rank == last];
         sides(triangle).zip(is_side).filter(|&(_, is_side)| is_side).map(|(side, _)| side)
     })
-}
-
-/// The sides of a triangle as pairs of vertices, lower first.
-fn sides([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 2]> {
-    [[a, b], [b, c], [c, a]].into_iter().map(|[a, b]| [a.min(b), a.max(b)])
 }

@@ -3,6 +3,7 @@
 //! The scene's nodes are visited depth first, parents before children, in the order of the document; each visit of a
 //! mesh appends its primitives one after another. A node's matrices are applied in 64-bit arithmetic and rounded once;
 //! a mirroring transform turns its triangles round, so that they still face outward. Points and lines are passed over.
+//! Edges that the extension `EXT_mesh_primitive_edge_visibility` declares hard are feature edges.
 //! Skins and morph targets are not applied: the rest positions count, and the node of a skinned mesh is not placed by
 //! its own transform, as the standard has it.
 //!
@@ -12,10 +13,12 @@
 mod accessor;
 mod buffers;
 mod dangling;
+mod edges;
 
 use self::accessor::{indices, most_elements, positions};
 use self::buffers::Buffers;
 use self::dangling::dangling;
+use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Place, Problem, quote};
 use super::polygon::{fan, strip};
@@ -49,10 +52,11 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress)
         let what = format!("the extension {name}");
         return Err(Problem::Unsupported { what, mend: "export without mesh compression" }.into());
     }
+    let edges = EdgeExtensions::of(json, &root)?;
     let placed = place_meshes(&root)?;
     progress.stage("assembling meshes", placed.len() as u64);
-    let mut scene =
-        SceneReader { root: &root, buffers: Buffers::new(blob, folder), assembly: Assembly::default(), faces: 0 };
+    let (buffers, assembly) = (Buffers::new(blob, folder), Assembly::default());
+    let mut scene = SceneReader { root: &root, edges: &edges, buffers, assembly, faces: 0 };
     scene.check_unfolding(&placed, bytes.len() as u64)?;
     for (mesh, world) in placed {
         progress.check()?;
@@ -118,17 +122,18 @@ fn local_matrix(node: &Node) -> DMat4 {
 }
 
 /// A primitive that consists of triangles.
-struct Surface {
+struct Surface<'a> {
     mode: Mode,
     positions: Index<Accessor>,
     indices: Option<Index<Accessor>>,
     /// One more than its material's index, 0 without a material.
     label: u32,
+    edges: Option<&'a PrimitiveEdges>,
 }
 
-impl Surface {
+impl<'a> Surface<'a> {
     /// `None` for points, lines, and primitives whose positions are left to an extension.
-    fn of(root: &Root, primitive: &Primitive) -> Result<Option<Self>, Problem> {
+    fn of(root: &Root, primitive: &Primitive, edges: Option<&'a PrimitiveEdges>) -> Result<Option<Self>, Problem> {
         let Checked::Valid(mode) = primitive.mode else {
             return Err(Problem::expected("a mode from 0 to 6", b"another number"));
         };
@@ -139,20 +144,21 @@ impl Surface {
             Some(material) if material.value() < root.materials.len() => material.value() as u32 + 1,
             Some(_) => return Err(dangling("materials", root.materials.len())),
         };
-        Ok(positions.map(|positions| Self { mode, positions, indices: primitive.indices, label }))
+        Ok(positions.map(|positions| Self { mode, positions, indices: primitive.indices, label, edges }))
     }
 }
 
 /// The mesh under construction, and where its numbers come from.
 struct SceneReader<'a> {
     root: &'a Root,
+    edges: &'a EdgeExtensions,
     buffers: Buffers<'a>,
     assembly: Assembly,
     /// Faces read so far.
     faces: u64,
 }
 
-impl SceneReader<'_> {
+impl<'a> SceneReader<'a> {
     /// Refuses a scene that grows out of proportion to its bytes, before memory is taken for it. The number of its
     /// vertices then fits 32 bits.
     fn check_unfolding(&mut self, placed: &[(Index<Mesh>, DMat4)], input: u64) -> Result<(), Located> {
@@ -167,6 +173,9 @@ impl SceneReader<'_> {
                         size += most_elements(scene.root, &mut scene.buffers, surface.positions)?;
                         if let Some(indices) = surface.indices {
                             size += most_elements(scene.root, &mut scene.buffers, indices)?;
+                        }
+                        if let Some(edges) = surface.edges {
+                            size += edges.most_elements(scene.root, &mut scene.buffers)?;
                         }
                         Ok(())
                     })?;
@@ -187,20 +196,22 @@ impl SceneReader<'_> {
     fn each_surface(
         &mut self,
         index: Index<Mesh>,
-        mut visit: impl FnMut(&mut Self, Surface) -> Result<(), Problem>,
+        mut visit: impl FnMut(&mut Self, Surface<'a>) -> Result<(), Problem>,
     ) -> Result<(), Located> {
-        let root = self.root;
+        let (root, edges) = (self.root, self.edges);
         let element = format!("meshes[{}]", index.value());
         let mesh = root.get(index).ok_or_else(|| missing(&element, "meshes", root.meshes.len()))?;
         for (rank, primitive) in mesh.primitives.iter().enumerate() {
-            let visited = Surface::of(root, primitive).and_then(|surface| surface.map_or(Ok(()), |s| visit(self, s)));
+            let edges = edges.of_primitive(index.value(), rank);
+            let visited =
+                Surface::of(root, primitive, edges).and_then(|surface| surface.map_or(Ok(()), |s| visit(self, s)));
             visited.map_err(|problem| at_element(format!("{element}.primitives[{rank}]"), problem))?;
         }
         Ok(())
     }
 
     /// Appends one primitive.
-    fn surface(&mut self, surface: &Surface, world: DMat4) -> Result<(), Problem> {
+    fn surface(&mut self, surface: &Surface<'_>, world: DMat4) -> Result<(), Problem> {
         // Append the positions.
         let (root, first) = (self.root, self.assembly.positions.len());
         let local = positions(root, &mut self.buffers, surface.positions)?;
@@ -221,6 +232,10 @@ impl SceneReader<'_> {
         };
         let base = u32::try_from(first).unwrap_or(u32::MAX);
         let corners = self.rebase(&corners, base, vertices)?;
+        if let Some(edges) = surface.edges {
+            let corners = Corners { mode: surface.mode, vertices: &corners, first: base, count: vertices };
+            edges.hard_edges(root, &mut self.buffers, corners, &mut self.assembly.feature_edges)?;
+        }
         let from = self.assembly.triangles.len();
         self.assembly.begin_label(surface.label);
         match surface.mode {

@@ -6,14 +6,14 @@
 //! | PLY | rows of `vertex` | text and binary; `face`, `tristrips` |
 //! | OFF | vertex rows | text; `[ST][C][N]OFF` |
 //! | STL | equal positions joined, in order of appearance | text and binary |
-//! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied |
+//! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied; hard edges |
 //!
 //! Applications that have loaded their scene with `tobj` make it a mesh by `TriangleMesh::from_tobj`, cargo feature `tobj`.
 //!
 //! Unreferenced vertices are kept. Polygons are fanned from their first corner. Texture and normal seams never split a
 //! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
 //! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials) and which edges are sharp
-//! (OBJ's `s` and `l`); everything else that a vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
+//! (OBJ's `s` and `l`, glTF's `EXT_mesh_primitive_edge_visibility`); everything else that a vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
 //!
 //! Bad files are refused with a [`LoadError`] that names the place and the remedy. A header's promise alone never takes
 //! memory: it is bounded by a small multiple of the bytes that are there, except for a glTF scene that places one mesh many

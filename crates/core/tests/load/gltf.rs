@@ -24,6 +24,13 @@ impl Document {
         self.views.len() - 1
     }
 
+    /// Appends bytes as a view of elements at equal distances; returns its index.
+    pub fn strided_view(&mut self, bytes: &[u8], stride: usize) -> usize {
+        let view = self.view(bytes);
+        self.views[view] = self.views[view].replace('}', &format!(r#","byteStride":{stride}}}"#));
+        view
+    }
+
     /// Appends an accessor; returns its index.
     pub fn accessor(&mut self, json: &str) -> usize {
         self.accessors.push(format!("{{{json}}}"));

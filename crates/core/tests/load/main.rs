@@ -4,6 +4,7 @@ mod cancelling;
 mod expectations;
 mod feature_edges;
 mod gltf;
+mod gltf_edges;
 mod gltf_refused;
 mod independent_reader;
 mod obj;

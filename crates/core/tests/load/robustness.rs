@@ -24,6 +24,8 @@ fn good_files() -> Vec<(Format, Vec<u8>)> {
         (Format::Stl, crate::stl::text(&crate::stl::square()).into_bytes()),
         (Format::Gltf, crate::gltf::square(5123).glb()),
         (Format::Gltf, crate::gltf::square(5121).embedded().into_bytes()),
+        (Format::Gltf, crate::gltf_edges::every_member().glb()),
+        (Format::Gltf, crate::gltf_edges::every_member().embedded().into_bytes()),
     ]
 }
 

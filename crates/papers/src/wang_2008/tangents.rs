@@ -2,9 +2,9 @@
 //! their ends.
 
 use crate::error::Cause;
+use silhouette_core::feature_edges::feature_edges;
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::{PreparedMesh, Progress, Topology, TriangleMesh, VertexId};
-use silhouette_smoothing::feature_edges::feature_edges;
 use silhouette_smoothing::feature_polylines::feature_polylines;
 use silhouette_smoothing::feature_segments::{FeatureSegments, Tangents};
 

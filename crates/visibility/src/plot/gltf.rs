@@ -8,6 +8,7 @@ use crate::lines::Lines;
 use base64::Engine;
 use serde_json::{Value, json};
 use silhouette_core::glam::Vec3;
+use silhouette_core::save::{GltfArrays, write_container};
 use std::io::{self, Write};
 
 /// How the file is packed.
@@ -19,14 +20,6 @@ pub enum GltfContainer {
     Binary,
 }
 
-/// `componentType` of 32-bit floats.
-const FLOAT: u32 = 5126;
-/// `componentType` of 32-bit indices.
-const UNSIGNED_INT: u32 = 5125;
-/// `target` of vertices.
-const ARRAY_BUFFER: u32 = 34962;
-/// `target` of indices.
-const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// `mode` of pairs of points.
 const LINES: u32 = 1;
 
@@ -71,67 +64,32 @@ pub fn write_gltf(
             root.push(name, options.pens.of(kind).colour, &extras, &geometry);
         }
     }
-    let Root { bytes, .. } = &root;
-    let too_large = || io::Error::new(io::ErrorKind::InvalidInput, "glTF holds at most 4 GiB of lines");
     match container {
         GltfContainer::Text => {
             let uri = format!(
                 "data:application/octet-stream;base64,{}",
-                base64::engine::general_purpose::STANDARD.encode(bytes)
+                base64::engine::general_purpose::STANDARD.encode(root.arrays.buffer())
             );
             serde_json::to_writer(&mut *out, &root.document(Some(&uri)))?;
             out.write_all(b"\n")
         }
-        GltfContainer::Binary => {
-            let mut text = serde_json::to_vec(&root.document(None))?;
-            text.resize(text.len().next_multiple_of(4), b' ');
-            let chunks = if bytes.is_empty() { 20 } else { 28 };
-            let total = u32::try_from(chunks + text.len() + bytes.len()).map_err(|_| too_large())?;
-            out.write_all(b"glTF")?;
-            for number in [2, total, text.len() as u32] {
-                out.write_all(&number.to_le_bytes())?;
-            }
-            out.write_all(b"JSON")?;
-            out.write_all(&text)?;
-            if !bytes.is_empty() {
-                out.write_all(&(bytes.len() as u32).to_le_bytes())?;
-                out.write_all(b"BIN\0")?;
-                out.write_all(bytes)?;
-            }
-            Ok(())
-        }
+        GltfContainer::Binary => write_container(&root.document(None), root.arrays.buffer(), out),
     }
 }
 
-/// The document's arrays, and the bytes they speak of.
+/// The parts of the document.
 #[derive(Default)]
 struct Root {
-    bytes: Vec<u8>,
+    arrays: GltfArrays,
     nodes: Vec<Value>,
     meshes: Vec<Value>,
     materials: Vec<Value>,
-    accessors: Vec<Value>,
-    views: Vec<Value>,
 }
 
 impl Root {
     fn push(&mut self, name: LayerName, colour: Colour, extras: &Value, geometry: &Geometry) {
-        let bounds = geometry
-            .positions
-            .iter()
-            .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(min, max), &p| (min.min(p), max.max(p)));
-        let positions = geometry.positions.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes);
-        let positions = self.push_view(positions, ARRAY_BUFFER);
-        let indices =
-            self.push_view(geometry.indices.iter().flat_map(|index| index.to_le_bytes()), ELEMENT_ARRAY_BUFFER);
-        let accessor = self.accessors.len();
-        self.accessors.push(json!({
-            "bufferView": positions, "componentType": FLOAT, "type": "VEC3", "count": geometry.positions.len(),
-            "min": bounds.0, "max": bounds.1,
-        }));
-        self.accessors.push(json!({
-            "bufferView": indices, "componentType": UNSIGNED_INT, "type": "SCALAR", "count": geometry.indices.len(),
-        }));
+        let positions = self.arrays.positions(&geometry.positions);
+        let indices = self.arrays.indices(&geometry.indices);
         let layer = self.meshes.len();
         let name = name.to_string();
         let [red, green, blue] = colour.0.map(linear);
@@ -141,17 +99,9 @@ impl Root {
         }));
         self.meshes.push(json!({
             "name": name,
-            "primitives": [{ "attributes": { "POSITION": accessor }, "indices": accessor + 1, "mode": LINES, "material": layer }],
+            "primitives": [{ "attributes": { "POSITION": positions }, "indices": indices, "mode": LINES, "material": layer }],
         }));
         self.nodes.push(json!({ "name": name, "mesh": layer, "extras": extras }));
-    }
-
-    fn push_view(&mut self, bytes: impl Iterator<Item = u8>, target: u32) -> usize {
-        let offset = self.bytes.len();
-        self.bytes.extend(bytes);
-        let length = self.bytes.len() - offset;
-        self.views.push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": length, "target": target }));
-        self.views.len() - 1
     }
 
     /// The document. The format allows no empty array, so that without lines there is no scene.
@@ -160,21 +110,11 @@ impl Root {
         if self.nodes.is_empty() {
             return document;
         }
-        let mut buffer = json!({ "byteLength": self.bytes.len() });
-        if let Some(uri) = uri {
-            buffer["uri"] = uri.into();
-        }
         document["scene"] = 0.into();
         document["scenes"] = json!([{ "nodes": (0..self.nodes.len()).collect::<Vec<_>>() }]);
         document["extensionsUsed"] = json!(["KHR_materials_unlit"]);
-        document["buffers"] = json!([buffer]);
-        for (key, values) in [
-            ("nodes", &self.nodes),
-            ("meshes", &self.meshes),
-            ("materials", &self.materials),
-            ("accessors", &self.accessors),
-            ("bufferViews", &self.views),
-        ] {
+        self.arrays.describe(uri, &mut document);
+        for (key, values) in [("nodes", &self.nodes), ("meshes", &self.meshes), ("materials", &self.materials)] {
             document[key] = values.as_slice().into();
         }
         document

@@ -23,6 +23,31 @@ pub(super) fn positions(
     elements(root, buffers, accessor, 3 * size, [0.0; 3], decode)
 }
 
+/// Checks that a `VEC3` accessor of 32-bit floats or signed integers has the bytes of its elements; yields their number.
+pub(super) fn check_normals(root: &Root, buffers: &mut Buffers<'_>, index: Index<Accessor>) -> Result<u64, Problem> {
+    let accessor = find(root, index)?;
+    let component = component_of(accessor, Type::Vec3, "silhouetteNormals of type VEC3")?;
+    if !matches!(component, ComponentType::I8 | ComponentType::I16 | ComponentType::F32) {
+        return Err(Problem::expected("silhouetteNormals of signed integers or floats", b"another type"));
+    }
+    Ok(elements(root, buffers, accessor, 3 * component.size(), (), |_| ())?.len() as u64)
+}
+
+/// The elements of a `SCALAR` accessor of bytes.
+pub(super) fn bytes(root: &Root, buffers: &mut Buffers<'_>, index: Index<Accessor>) -> Result<Vec<u8>, Problem> {
+    let accessor = find(root, index)?;
+    if component_of(accessor, Type::Scalar, "visibility of type SCALAR")? != ComponentType::U8 {
+        return Err(Problem::expected("visibility of unsigned bytes", b"another type"));
+    }
+    elements(root, buffers, accessor, 1, 0, |bytes| bytes[0])
+}
+
+/// The index that ends a line string in an accessor: the largest of its type.
+pub(super) fn restart(root: &Root, index: Index<Accessor>) -> Result<u32, Problem> {
+    let component = component_of(find(root, index)?, Type::Scalar, "indices of type SCALAR")?;
+    Ok(u32::MAX >> (32 - 8 * component.size()))
+}
+
 /// The elements of a `SCALAR` accessor of unsigned integers.
 pub(super) fn indices(root: &Root, buffers: &mut Buffers<'_>, index: Index<Accessor>) -> Result<Vec<u32>, Problem> {
     let accessor = find(root, index)?;

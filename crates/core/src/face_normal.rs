@@ -1,6 +1,6 @@
 //! The normal of a face.
 
-use silhouette_core::glam::{DVec3, Vec3};
+use glam::{DVec3, Vec3};
 
 /// The unit normal of a triangle, on the side from which its corners run counter-clockwise. `None` without an area.
 pub fn face_normal(corners: [Vec3; 3]) -> Option<DVec3> {

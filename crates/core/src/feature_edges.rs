@@ -1,10 +1,10 @@
-//! Which edges are feature edges: section II takes them as given; here they come from whoever made the mesh, from a dihedral
-//! angle, and from where the surface ends or branches.
+//! Which edges are feature edges: sharp because whoever made the mesh says so, by their dihedral angle, or because the surface
+//! ends or branches there.
 
 use crate::face_normal::face_normal;
-use crate::outward::consistent_pair;
-use silhouette_core::id::PerEdge;
-use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
+use crate::id::{EdgeId, PerEdge, VertexId};
+use crate::mesh::TriangleMesh;
+use crate::topology::Topology;
 
 /// Whether each edge is a feature edge. An edge is one
 ///
@@ -22,7 +22,7 @@ pub fn feature_edges(
 ) -> PerEdge<bool> {
     let least_cosine = crease_deg.to_radians().cos();
     let is_feature = |edge: EdgeId| {
-        let Some(faces) = consistent_pair(mesh, topology, edge) else { return true };
+        let Some(faces) = topology.consistent_pair(mesh, edge) else { return true };
         let normals = faces.map(|face| face_normal(mesh.corners(face)));
         let [Some(n0), Some(n1)] = normals else { return false };
         crease_deg < 180.0 && n0.dot(n1) <= least_cosine
@@ -40,7 +40,7 @@ pub fn feature_edges(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::shapes::{self, Cuboid};
+    use crate::shapes::{self, Cuboid};
 
     fn count(mesh: &TriangleMesh, given: &[[u32; 2]], crease_deg: f64) -> usize {
         let given: Vec<_> = given.iter().map(|pair| pair.map(VertexId::new)).collect();
