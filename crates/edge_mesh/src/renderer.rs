@@ -1,0 +1,102 @@
+//! [`Renderer`]: interior and lines in the caller's render pass, and what comes before it.
+
+use crate::lines::Lines;
+use crate::method::EdgeMesh;
+use crate::pipelines::Pipelines;
+use crate::style;
+use silhouette_gpu::{
+    CameraUniform, DrawsLines, FillRenderer, FrameRenderer, FrameView, MeshBuffers, PenPlacement, RendererError,
+    TargetFormats, Viewport,
+};
+use std::sync::Arc;
+
+impl DrawsLines for EdgeMesh {
+    type Pipelines = Pipelines;
+    type Renderer = Renderer;
+
+    /// Silhouettes lie beyond the front face. (Ridges and valleys are centred.)
+    fn pen_placement(&self) -> PenPlacement {
+        PenPlacement::Outside
+    }
+
+    fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<Pipelines, RendererError> {
+        Ok(Pipelines::new(device, self.options(), formats))
+    }
+
+    fn renderer(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        pipelines: &Arc<Pipelines>,
+        mesh: &Arc<MeshBuffers>,
+    ) -> Result<Renderer, RendererError> {
+        Renderer::new(device, queue, self, pipelines, mesh)
+    }
+}
+
+/// Draws the interior, then ridges and valleys, then silhouettes.
+#[derive(Debug)]
+pub struct Renderer {
+    pipelines: Arc<Pipelines>,
+    mesh: Arc<MeshBuffers>,
+    interior: Option<FillRenderer>,
+    lines: Option<Lines>,
+    viewport: Option<Viewport>,
+}
+
+impl Renderer {
+    fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        method: &EdgeMesh,
+        pipelines: &Arc<Pipelines>,
+        mesh: &Arc<MeshBuffers>,
+    ) -> Result<Self, RendererError> {
+        if mesh.face_count() as usize != method.mesh().face_count() {
+            return Err(RendererError::OtherForm { what: "meshes" });
+        }
+        Ok(Self {
+            interior: pipelines.interior.as_ref().map(|fill| FillRenderer::new(device, fill, mesh)),
+            lines: Lines::new(device, queue, &pipelines.lines, method, mesh)?,
+            pipelines: Arc::clone(pipelines),
+            mesh: Arc::clone(mesh),
+            viewport: None,
+        })
+    }
+}
+
+impl FrameRenderer for Renderer {
+    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, view: &FrameView) -> Result<(), RendererError> {
+        let Pipelines { options, formats, .. } = &*self.pipelines;
+        formats.check(view)?;
+        let Some(bounds) = self.mesh.bounds() else { return Ok(()) };
+        let frame = self.mesh.frame();
+        if let Some(interior) = &mut self.interior {
+            interior.prepare(device, queue, view)?;
+        }
+        if let Some(lines) = &mut self.lines {
+            let style = style::of_view(options, view, &bounds, frame, formats);
+            let camera = CameraUniform::new(frame.to_clip(view));
+            lines.prepare(device, queue, view, &camera, style, self.mesh.is_at_rest());
+        }
+        self.viewport = Some(view.viewport());
+        Ok(())
+    }
+
+    fn encode(&self, encoder: &mut wgpu::CommandEncoder) {
+        if let (Some(lines), Some(_)) = (&self.lines, self.viewport) {
+            lines.encode(encoder);
+        }
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(viewport) = self.viewport else { return };
+        if let Some(interior) = &self.interior {
+            interior.draw(pass);
+        }
+        if let Some(lines) = &self.lines {
+            viewport.set(pass);
+            lines.draw(pass);
+        }
+    }
+}

@@ -1,0 +1,2 @@
+//! What the method draws and extracts.
+#![cfg(feature = "gpu")]
