@@ -63,6 +63,20 @@ impl Renderer {
             viewport: None,
         })
     }
+
+    /// What the view last encoded draws, on the device: the list of silhouettes and boundaries and the list of ridges and
+    /// valleys, each a word that holds the number of entries and then the entries, in any order.
+    /// [`DrawnEdges::of_words`](crate::drawn_edges::DrawnEdges::of_words) reads them. `None` where the vertex stage decides.
+    /// For stages of the caller's own; storage buffers that may be copied from.
+    pub fn drawn_edges(&self) -> Option<[&wgpu::Buffer; 2]> {
+        self.lines.as_ref().and_then(Lines::lists)
+    }
+
+    /// The facings of the view last encoded, on the device: one bit per face, set for front faces; face `f` is bit `f % 32` of
+    /// word `f / 32`. `None` for a mesh without triangles.
+    pub fn facings(&self) -> Option<&wgpu::Buffer> {
+        self.lines.as_ref().map(Lines::facing)
+    }
 }
 
 impl FrameRenderer for Renderer {

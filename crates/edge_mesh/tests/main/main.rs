@@ -1,2 +1,5 @@
-//! What the method draws and extracts.
+//! What the method draws and extracts, on whatever adapter there is.
 #![cfg(feature = "gpu")]
+
+mod look;
+mod scene;
