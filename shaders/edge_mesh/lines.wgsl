@@ -28,7 +28,7 @@ fn silhouette(record: vec4<u32>, index: u32) -> vec4<f32> {
 }
 
 fn feature(record: vec4<u32>, pen: u32, index: u32) -> FeatureVertex {
-    return FeatureVertex(corner_of_line(record.xy, pen, index & ((1u << style.feature_bits) - 1u)), pen);
+    return FeatureVertex(corner_of_line(record.zw, pen, index & ((1u << style.feature_bits) - 1u)), pen);
 }
 
 // Any edge, drawn if it is a silhouette edge.

@@ -427,6 +427,9 @@ mod tests {
         let facings = FaceFacings::from_fn(130, |face| face.get() % 3 == 0);
         assert_eq!(facings.front_count(), 44);
         assert!((0..130).all(|face| facings.is_front(FaceId::new(face)) == (face % 3 == 0)));
-        assert!((0..192).all(|face| facings.words()[face / 64] >> (face % 64) & 1 == u64::from(face < 130 && face % 3 == 0)));
+        assert!(
+            (0..192)
+                .all(|face| facings.words()[face / 64] >> (face % 64) & 1 == u64::from(face < 130 && face % 3 == 0))
+        );
     }
 }

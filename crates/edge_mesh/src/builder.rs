@@ -25,7 +25,8 @@ pub(crate) struct Records {
 /// Builds the records. O(E), parallel; the same for any number of threads.
 pub(crate) fn build(mesh: &PreparedMesh, topology: &Topology, options: &EdgeMeshOptions) -> Records {
     let given = given_edges(mesh, topology, options);
-    let builder = Builder { mesh: mesh.mesh(), topology, sources: FacingSource::new(mesh.mesh(), topology), given, options };
+    let builder =
+        Builder { mesh: mesh.mesh(), topology, sources: FacingSource::new(mesh.mesh(), topology), given, options };
     let edges = (0..topology.edge_count()).into_par_iter().with_min_len(EDGES_PER_TASK).map(EdgeId::from_usize);
     let records: Vec<EdgeRecord> = edges.clone().flat_map_iter(|edge| builder.records_at(edge)).collect();
     let is_closed = edges.all(|edge| match topology.half_edges(edge) {
@@ -43,8 +44,7 @@ fn given_edges(mesh: &PreparedMesh, topology: &Topology, options: &EdgeMeshOptio
     if options.creases == CreasesChoice::None {
         return Vec::new();
     }
-    let mut given: Vec<EdgeId> =
-        mesh.feature_edges().iter().filter_map(|&[a, b]| topology.find_edge(a, b)).collect();
+    let mut given: Vec<EdgeId> = mesh.feature_edges().iter().filter_map(|&[a, b]| topology.find_edge(a, b)).collect();
     given.sort_unstable();
     given
 }

@@ -20,7 +20,8 @@ pub(crate) fn chunks(lines: u32) -> u32 {
 /// Indices of a chunk of lines whose ends have `end_sides` sides: each polygon as triangles around its first point.
 fn indices(end_sides: u32) -> Vec<u16> {
     let bits = point_bits(end_sides);
-    let triangles = |line: u32| (1..=2 * end_sides).flat_map(move |point| [0, point, point + 1].map(|at| line << bits | at));
+    let triangles =
+        |line: u32| (1..=2 * end_sides).flat_map(move |point| [0, point, point + 1].map(|at| line << bits | at));
     // The largest is below 1024 times 64.
     (0..CHUNK).flat_map(triangles).map(|index| index as u16).collect()
 }

@@ -8,9 +8,7 @@ use crate::chunks::ChunkIndices;
 use crate::edge_record::{Bend, EdgeRecord};
 use silhouette_core::FaceId;
 use silhouette_gpu::MeshTooLarge;
-use silhouette_gpu::kit::{
-    bind_layout, buffers_group, compute_pipeline, storage_buffer, storage_entry, workgroups,
-};
+use silhouette_gpu::kit::{bind_layout, buffers_group, compute_pipeline, storage_buffer, storage_entry, workgroups};
 
 /// Numbers of the records that are drawn in a view, ascending.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -22,11 +20,7 @@ pub struct DrawnEdges {
 }
 
 /// The records that are drawn, at rest; `hides_back_features` leaves out features between two back faces. O(E).
-pub fn drawn_edges(
-    records: &[EdgeRecord],
-    is_front: impl Fn(FaceId) -> bool,
-    hides_back_features: bool,
-) -> DrawnEdges {
+pub fn drawn_edges(records: &[EdgeRecord], is_front: impl Fn(FaceId) -> bool, hides_back_features: bool) -> DrawnEdges {
     let mut drawn = DrawnEdges::default();
     for (index, record) in (0..).zip(records) {
         if record.is_silhouette(&is_front) {

@@ -26,7 +26,8 @@ impl OnDevices {
         // Entries are added and removed as a whole, so that a panic elsewhere leaves none half-written.
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known.retain(|(_, buffers)| buffers.strong_count() > 0);
-        if let Some(shared) = known.iter().find(|(known, _)| known == device).and_then(|(_, buffers)| buffers.upgrade()) {
+        if let Some(shared) = known.iter().find(|(known, _)| known == device).and_then(|(_, buffers)| buffers.upgrade())
+        {
             return Ok(shared);
         }
         let bytes: &[u8] = bytemuck::cast_slice(records);

@@ -44,8 +44,8 @@ pub struct Feature {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "gpu", derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct EdgeRecord {
-    ends: [u32; 2],
     faces: [u32; 2],
+    ends: [u32; 2],
 }
 
 impl EdgeRecord {
@@ -53,12 +53,12 @@ impl EdgeRecord {
     /// the `same_way`. Numbers are below [`MOST_ELEMENTS`].
     pub(crate) fn between(ends: [u32; 2], first: FaceId, second: FaceId, same_way: bool) -> Self {
         let second = second.get() | if same_way { SAME_WAY } else { 0 };
-        Self { ends, faces: [first.get(), second] }
+        Self { faces: [first.get(), second], ends }
     }
 
     /// A boundary edge of a face that runs along it from the first end to the second.
     pub(crate) fn boundary(ends: [u32; 2], face: FaceId) -> Self {
-        Self { ends, faces: [face.get(), face.get() | BOUNDARY] }
+        Self { faces: [face.get(), face.get() | BOUNDARY], ends }
     }
 
     /// The same edge as a feature.

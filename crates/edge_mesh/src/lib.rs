@@ -1,7 +1,9 @@
 //! Edge mesh.
 #[cfg(feature = "gpu")]
-mod chunks;
+pub mod as_printed;
 mod builder;
+#[cfg(feature = "gpu")]
+mod chunks;
 #[cfg(feature = "gpu")]
 pub mod drawn_edges;
 #[cfg(feature = "gpu")]

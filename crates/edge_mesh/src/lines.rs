@@ -28,8 +28,8 @@ impl LineStages {
     pub fn new(device: &wgpu::Device, options: &EdgeMeshOptions, formats: TargetFormats) -> Self {
         let (camera, mesh) = (CameraBinding::layout(device), MeshBinding::layout(device));
         let edges = bind_layout(device, "edges", &[0, 1, 2].map(|binding| storage_entry(binding, true)));
-        let drawn_edges = (options.path == PathChoice::Compacted)
-            .then(|| DrawnEdgesStage::new(device, [&camera, &mesh, &edges]));
+        let drawn_edges =
+            (options.path == PathChoice::Compacted).then(|| DrawnEdgesStage::new(device, [&camera, &mesh, &edges]));
         let list = drawn_edges.as_ref().map(DrawnEdgesStage::drawing_layout);
         let mut bindings = vec![Some(&camera), Some(&mesh), Some(&edges)];
         bindings.extend(list.map(Some));

@@ -2,7 +2,7 @@
 
 use crate::builder;
 use crate::edge_record::{EdgeRecord, MOST_ELEMENTS};
-use crate::options::EdgeMeshOptions;
+use crate::options::{EdgeMeshOptions, PathChoice};
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge;
@@ -107,6 +107,22 @@ impl EdgeMesh {
     /// How many records are ridges, valleys or creases at rest.
     pub fn feature_count(&self) -> usize {
         self.features
+    }
+
+    /// Bytes on the device per edge of a renderer with these options, the mesh's own positions and triangles left out: the record,
+    /// its places in the lists of what is drawn, and its share of the facing and the normal of each face. The article takes 160.
+    /// A mesh without edges has 0.
+    pub fn bytes_per_edge(&self) -> f64 {
+        let edges = self.records.len() as f64;
+        if edges == 0.0 {
+            return 0.0;
+        }
+        let by_angle = self.options.draws_by_angle();
+        let listed = self.options.path == PathChoice::Compacted;
+        let features = if by_angle { edges } else { self.features as f64 };
+        let lists = if listed { 4.0 * (edges + features) } else { 0.0 };
+        let faces = self.mesh.face_count() as f64 * (0.125 + if by_angle { 4.0 } else { 0.0 });
+        size_of::<EdgeRecord>() as f64 + (lists + faces) / edges
     }
 
     /// Whether every edge has two faces that run along it in opposite directions.

@@ -24,6 +24,16 @@ option_choice! {
 }
 
 option_choice! {
+    /// Which faces of the interior are drawn.
+    pub enum CullChoice {
+        /// All of them: what hides lines on any mesh.
+        None = "none",
+        /// Front faces only.
+        Back = "back",
+    }
+}
+
+option_choice! {
     /// Whose arithmetic decides and displaces.
     pub enum ArithmeticChoice {
         /// Facing once per face, lines expanded in the image plane.
@@ -87,6 +97,9 @@ method_options! {
         pub ink_alpha: f64 = number("ink-alpha", 0.0..=1.0, default 1.0),
         /// What is drawn where the mesh is: white, depth alone, or nothing, where the caller's own depth hides lines.
         pub interior: InteriorChoice = choice("interior"),
+        /// Faces that the interior leaves out: none, or back faces, which makes it cheaper and changes nothing as long as the mesh is
+        /// closed, its faces point outwards and the eye is outside.
+        pub cull: CullChoice = choice("cull"),
         /// Which stage leaves out the edges that are not drawn: a compute pass that lists the others, or the vertex stage.
         pub path: PathChoice = choice("path"),
         /// Where facing is decided: exactly on the CPU while the mesh is at rest, or on the device.

@@ -1,8 +1,10 @@
 //! [`Renderer`]: interior and lines in the caller's render pass, and what comes before it.
 
+use crate::as_printed::AsPrintedLines;
 use crate::lines::Lines;
 use crate::method::EdgeMesh;
-use crate::pipelines::Pipelines;
+use crate::options::ArithmeticChoice;
+use crate::pipelines::{Pipelines, Stages};
 use crate::style;
 use silhouette_gpu::{
     CameraUniform, DrawsLines, FillRenderer, FrameRenderer, FrameView, MeshBuffers, PenPlacement, RendererError,
@@ -14,9 +16,12 @@ impl DrawsLines for EdgeMesh {
     type Pipelines = Pipelines;
     type Renderer = Renderer;
 
-    /// Silhouettes lie beyond the front face. (Ridges and valleys are centred.)
+    /// Silhouettes lie beyond the front face; those of the article, and ridges and valleys, on both sides.
     fn pen_placement(&self) -> PenPlacement {
-        PenPlacement::Outside
+        match self.options().arithmetic {
+            ArithmeticChoice::Corrected => PenPlacement::Outside,
+            ArithmeticChoice::AsPrinted => PenPlacement::Centred,
+        }
     }
 
     fn pipelines(&self, device: &wgpu::Device, formats: TargetFormats) -> Result<Pipelines, RendererError> {
@@ -34,13 +39,22 @@ impl DrawsLines for EdgeMesh {
     }
 }
 
+/// What draws the lines of an instance.
+#[derive(Debug)]
+enum InstanceLines {
+    /// Nothing: the mesh has no triangles.
+    None,
+    Corrected(Box<Lines>),
+    AsPrinted(AsPrintedLines),
+}
+
 /// Draws the interior, then ridges and valleys, then silhouettes.
 #[derive(Debug)]
 pub struct Renderer {
     pipelines: Arc<Pipelines>,
     mesh: Arc<MeshBuffers>,
     interior: Option<FillRenderer>,
-    lines: Option<Lines>,
+    lines: InstanceLines,
     viewport: Option<Viewport>,
 }
 
@@ -55,9 +69,15 @@ impl Renderer {
         if mesh.face_count() as usize != method.mesh().face_count() {
             return Err(RendererError::OtherForm { what: "meshes" });
         }
+        let lines = match &pipelines.lines {
+            _ if mesh.face_count() == 0 => InstanceLines::None,
+            Stages::Corrected(stages) => Lines::new(device, queue, stages, method, mesh)?
+                .map_or(InstanceLines::None, |lines| InstanceLines::Corrected(Box::new(lines))),
+            Stages::AsPrinted(stage) => InstanceLines::AsPrinted(AsPrintedLines::new(device, queue, stage, method)?),
+        };
         Ok(Self {
             interior: pipelines.interior.as_ref().map(|fill| FillRenderer::new(device, fill, mesh)),
-            lines: Lines::new(device, queue, &pipelines.lines, method, mesh)?,
+            lines,
             pipelines: Arc::clone(pipelines),
             mesh: Arc::clone(mesh),
             viewport: None,
@@ -69,13 +89,13 @@ impl Renderer {
     /// [`DrawnEdges::of_words`](crate::drawn_edges::DrawnEdges::of_words) reads them. `None` where the vertex stage decides.
     /// For stages of the caller's own; storage buffers that may be copied from.
     pub fn drawn_edges(&self) -> Option<[&wgpu::Buffer; 2]> {
-        self.lines.as_ref().and_then(Lines::lists)
+        if let InstanceLines::Corrected(lines) = &self.lines { lines.lists() } else { None }
     }
 
     /// The facings of the view last encoded, on the device: one bit per face, set for front faces; face `f` is bit `f % 32` of
-    /// word `f / 32`. `None` for a mesh without triangles.
+    /// word `f / 32`. `None` for a mesh without triangles, and for the article's arithmetic.
     pub fn facings(&self) -> Option<&wgpu::Buffer> {
-        self.lines.as_ref().map(Lines::facing)
+        if let InstanceLines::Corrected(lines) = &self.lines { Some(lines.facing()) } else { None }
     }
 }
 
@@ -88,17 +108,21 @@ impl FrameRenderer for Renderer {
         if let Some(interior) = &mut self.interior {
             interior.prepare(device, queue, view)?;
         }
-        if let Some(lines) = &mut self.lines {
-            let style = style::of_view(options, view, &bounds, frame, formats);
-            let camera = CameraUniform::new(frame.to_clip(view));
-            lines.prepare(device, queue, view, &camera, style, self.mesh.is_at_rest());
+        match &mut self.lines {
+            InstanceLines::None => {}
+            InstanceLines::Corrected(lines) => {
+                let style = style::of_view(options, view, &bounds, frame, formats);
+                let camera = CameraUniform::new(frame.to_clip(view));
+                lines.prepare(device, queue, view, &camera, style, self.mesh.is_at_rest());
+            }
+            InstanceLines::AsPrinted(lines) => lines.prepare(queue, view),
         }
         self.viewport = Some(view.viewport());
         Ok(())
     }
 
     fn encode(&self, encoder: &mut wgpu::CommandEncoder) {
-        if let (Some(lines), Some(_)) = (&self.lines, self.viewport) {
+        if let (InstanceLines::Corrected(lines), Some(_)) = (&self.lines, self.viewport) {
             lines.encode(encoder);
         }
     }
@@ -108,9 +132,18 @@ impl FrameRenderer for Renderer {
         if let Some(interior) = &self.interior {
             interior.draw(pass);
         }
-        if let Some(lines) = &self.lines {
-            viewport.set(pass);
-            lines.draw(pass);
+        viewport.set(pass);
+        match &self.lines {
+            InstanceLines::None => {}
+            InstanceLines::Corrected(lines) => lines.draw(pass),
+            InstanceLines::AsPrinted(lines) => lines.draw(pass),
         }
+    }
+
+    fn warning(&self) -> Option<String> {
+        let is_behind = matches!(self.lines, InstanceLines::AsPrinted(_)) && !self.mesh.is_at_rest();
+        is_behind.then(|| {
+            "arithmetic=as-printed draws the lines of the mesh at rest; choose arithmetic=corrected for one that moves".to_owned()
+        })
     }
 }

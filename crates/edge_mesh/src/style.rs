@@ -70,11 +70,7 @@ pub(crate) fn of_view(
 /// The least depth at which a mesh can be seen, for ends that are round enough there.
 fn nearest_depth(view: &FrameView, bounds: &Bounds) -> f64 {
     let near = view.depth_law().range().near;
-    if view.is_perspective() {
-        near.max(view.depth(bounds.center) - bounds.radius * view.largest_scale())
-    } else {
-        1.0
-    }
+    if view.is_perspective() { near.max(view.depth(bounds.center) - bounds.radius * view.largest_scale()) } else { 1.0 }
 }
 
 /// The cosine at or below which two stored normals make the angle; below -1 for 180 degrees, at which nothing is drawn. Either
@@ -94,8 +90,19 @@ mod tests {
             ($($name:ident),*) => { [$((stringify!($name), offset_of!(StyleUniform, $name))),*] };
         }
         let members = members![
-            pens, inks, viewer, faces, edges, features, turned, silhouette_bits, feature_bits, hides_back_features,
-            bends_now, ridge_cosine, valley_cosine
+            pens,
+            inks,
+            viewer,
+            faces,
+            edges,
+            features,
+            turned,
+            silhouette_bits,
+            feature_bits,
+            hides_back_features,
+            bends_now,
+            ridge_cosine,
+            valley_cosine
         ];
         for stage in [silhouette_shaders::edge_mesh::LINES, silhouette_shaders::edge_mesh::DRAWN_EDGES] {
             assert!(silhouette_shaders::layout::matches(stage, "StyleUniform", size_of::<StyleUniform>(), &members));

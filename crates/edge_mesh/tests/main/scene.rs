@@ -40,7 +40,8 @@ pub fn renderer(gpu: &Gpu, mesh: &TriangleMesh, words: &[&str]) -> Renderer {
 /// A picture of a view that is prepared.
 pub fn draw_with(gpu: &Gpu, renderer: &Renderer, size: [u32; 2], formats: TargetFormats) -> Image {
     let target = Target::new(gpu, size, formats).unwrap();
-    gpu.draw_after(&target, Load::Clear(GROUND), |encoder| renderer.encode(encoder), |pass| renderer.draw(pass)).unwrap();
+    gpu.draw_after(&target, Load::Clear(GROUND), |encoder| renderer.encode(encoder), |pass| renderer.draw(pass))
+        .unwrap();
     target.read_color(gpu).unwrap()
 }
 
