@@ -4,7 +4,7 @@ use crate::edge_record::{Bend, EdgeRecord, Feature};
 use crate::options::{CreasesChoice, EdgeMeshOptions};
 use crate::zero_area::FacingSource;
 use rayon::prelude::*;
-use silhouette_core::glam::DVec3;
+use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::loops::start_vertex;
 use silhouette_core::{EdgeId, FaceId, HalfEdgeId, PreparedMesh, Topology, TriangleMesh};
 
@@ -112,7 +112,7 @@ impl Builder<'_> {
 fn bend_deg(mesh: &TriangleMesh, ends: [u32; 2], faces: [FaceId; 2], same_way: bool) -> Option<f64> {
     let position = |vertex: u32| mesh.positions()[vertex as usize].as_dvec3();
     let normal = |face: FaceId| {
-        let [a, b, c] = mesh.corners(face).map(|corner| corner.as_dvec3());
+        let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
         (b - a).cross(c - a).try_normalize()
     };
     let first = normal(faces[0])?;

@@ -5,6 +5,7 @@
 //! draws nothing, and silhouettes stay closed. A face with no neighbour that has an area keeps its own facing.
 
 use rayon::prelude::*;
+use silhouette_core::glam::Vec3;
 use silhouette_core::inspect::has_zero_area;
 use silhouette_core::{FaceId, HalfEdgeId, Topology, TriangleMesh};
 use std::collections::HashMap;
@@ -81,7 +82,7 @@ impl FacingSource {
 
 /// The half-edges of a face, longest first.
 fn sides_by_length(mesh: &TriangleMesh, face: FaceId) -> [HalfEdgeId; 3] {
-    let corners = mesh.corners(face).map(|corner| corner.as_dvec3());
+    let corners = mesh.corners(face).map(Vec3::as_dvec3);
     let length = |slot: usize| corners[slot].distance_squared(corners[(slot + 1) % 3]);
     let mut slots = [0, 1, 2];
     slots.sort_by(|&a, &b| length(b).total_cmp(&length(a)));

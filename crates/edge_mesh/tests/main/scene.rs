@@ -1,13 +1,13 @@
 //! Meshes, cameras, pictures and lists that the tests share.
 
-use silhouette_core::glam::DVec3;
-use silhouette_core::view::Framing;
+use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::view::{ClipRange, Framing, Projection, Viewpoint};
 use silhouette_core::{Camera, Method, MethodOptions, PreparedMesh, TriangleMesh};
 use silhouette_edge_mesh::drawn_edges::DrawnEdges;
 use silhouette_edge_mesh::{EdgeMesh, EdgeMeshOptions, Renderer};
 use silhouette_gpu::{DrawsLines, FrameRenderer, FrameView, MeshBuffers, TargetFormats};
 use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target, view_of_mesh};
-use silhouette_testing::views;
+use silhouette_testing::{directions, views};
 use std::sync::Arc;
 
 /// Grey ground, so that paper, black ink and nothing at all are three values.
@@ -104,4 +104,34 @@ pub fn ink(image: &Image) -> usize {
 pub fn differing(a: &Image, b: &Image) -> usize {
     let close = |a: &[u8], b: &[u8]| a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) < 24);
     a.rgba.chunks_exact(4).zip(b.rgba.chunks_exact(4)).filter(|(a, b)| !close(a, b)).count()
+}
+
+/// A view whose viewpoint is that of a camera, whatever lies before or behind it.
+pub fn any_view(mesh: &TriangleMesh, camera: &Camera) -> FrameView {
+    let radius = mesh.bounds().map_or(1.0, |bounds| bounds.radius);
+    let near = 1e-3 * radius;
+    FrameView::from_camera(camera, ClipRange { near, far: 1e9 * near }, DEFAULT_FORMATS.depth_direction).unwrap()
+}
+
+/// Views from places that are hard to get right, and from around a mesh.
+pub fn hard_views(mesh: &TriangleMesh) -> Vec<FrameView> {
+    let center = mesh.bounds().unwrap().center.as_vec3();
+    let radius = mesh.bounds().unwrap().radius as f32;
+    let hard = views::hard_viewpoints(mesh, 3).into_iter().filter_map(|viewpoint| {
+        let target = center + Vec3::new(0.01, 0.02, 0.03) * radius;
+        let camera = match viewpoint {
+            Viewpoint::Perspective { eye } => {
+                let projection = Projection::Perspective { fov_y_rad: 0.8 };
+                Camera::new(eye, target, (target - eye).any_orthogonal_vector(), projection, [8; 2])
+            }
+            Viewpoint::Orthographic { toward_viewer } => {
+                let away = toward_viewer.normalize() * radius * 2.0;
+                let projection = Projection::Orthographic { height: f64::from(radius) * 2.0 };
+                Camera::new(center + away, center, away.any_orthogonal_vector(), projection, [8; 2])
+            }
+        };
+        camera.ok()
+    });
+    let around = directions::spread(4).map(|direction| views::framed(mesh, direction, views::PERSPECTIVE, [8; 2]));
+    hard.chain(around).map(|camera| any_view(mesh, &camera)).collect()
 }
