@@ -46,7 +46,7 @@ fn a_model_matrix_draws_what_the_moved_mesh_draws() {
             let words: Vec<&str> = words.iter().copied().filter(|word| !word.starts_with("ridge")).collect();
             let expected = picture_of(gpu, &moved, &words, &view);
             let found = picture_of(gpu, &mesh, &words, &view.with_model(model).unwrap());
-            assert!(ink(&expected) > 500, "{words:?}: lines are drawn");
+            assert!(ink(&expected) > 150, "{words:?}: lines are drawn");
             let differing = differing(&expected, &found);
             assert!(differing < 40, "{words:?}, {model}: {differing} pixels of {}", ink(&expected));
             // The control: without the matrix the mesh is elsewhere.
@@ -174,7 +174,13 @@ fn interiors_and_translucent_ink_leave_the_ground_as_they_should() {
         assert!(ink(&none) > ink(&depth), "{path}: nothing hides lines");
         assert_eq!(of(&["cull=back"]), paper, "{path}: back faces of a closed mesh are hidden");
         let half = of(&["ink-alpha=0.5"]);
-        assert!(ink(&half) == 0 && count(&half, |value| matches!(value, 63 | 64 | 127)) * 3 > ink(&paper), "{path}");
+        let once = count(&half, |value| matches!(value, 63 | 64 | 127));
+        assert_eq!(count(&half, |value| !matches!(value, 128 | 255)), ink(&paper), "{path}");
+        assert!(
+            once > 100 && ink(&half) * 20 < ink(&paper),
+            "{path}: {once} pixels are inked once, {} black",
+            ink(&half)
+        );
         for value in [128, 255] {
             assert_eq!(count(&half, |v| v == value), count(&paper, |v| v == value), "beside the ink nothing changes");
         }

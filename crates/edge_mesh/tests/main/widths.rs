@@ -43,7 +43,9 @@ fn widths_are_the_same_at_every_field_of_view() {
         for fov_deg in [10.0, 40.0, 80.0, 120.0] {
             for asked in [1.5, 4.0, 12.0] {
                 let px = ring_px(gpu, fov_deg, 768, &[path, &format!("width={asked}")]);
-                assert!((px / asked - 1.0).abs() < 0.02, "{path}, {fov_deg} degrees: {px}, not {asked}");
+                // Counting the pixels of a circle is off by up to 0.05 px.
+                let most = (0.02 * asked).max(0.05);
+                assert!((px - asked).abs() < most, "{path}, {fov_deg} degrees: {px}, not {asked}");
             }
         }
     }
@@ -75,8 +77,10 @@ fn printed_widths_depend_on_the_picture() {
     let [narrow, wide] = [20.0, 60.0].map(|fov_deg| ring_px(gpu, fov_deg, 1024, &["arithmetic=as-printed", "width=9"]));
     // 0.1 / 75 of the distance to the eye, seen at a focal length of 512 px over the tangent.
     let law = |fov_deg: f64| 512.0 / (0.5 * fov_deg.to_radians()).tan() * 0.1 / 75.0;
-    // On a smooth rim both sides show, one of them on the faces.
-    assert!((narrow / (2.0 * law(20.0)) - 1.0).abs() < 0.1, "{narrow} {}", law(20.0));
+    // On a smooth rim the side that moves outwards shows, and the faces hide the other.
+    assert!((narrow / law(20.0) - 1.0).abs() < 0.05, "{narrow} {}", law(20.0));
+    // The distance to the eye grows towards the border of the picture, and depth does not.
+    assert!(wide > 1.1 * law(60.0), "{wide} {}", law(60.0));
     assert!(narrow > 2.5 * wide, "{narrow} {wide}");
 }
 
