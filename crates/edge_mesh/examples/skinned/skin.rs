@@ -54,14 +54,12 @@ impl Skin {
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
         });
-        let entry = |(binding, buffer): (u32, &wgpu::Buffer)| wgpu::BindGroupEntry {
-            binding,
-            resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: 0, size: None }),
-        };
+        let entry =
+            |binding, buffer| wgpu::BindGroupEntry { binding, resource: wgpu::Buffer::as_entire_binding(buffer) };
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("skin"),
             layout: &pipeline.get_bind_group_layout(0),
-            entries: &[(0, &joints), (1, &rest), (2, &weights), (3, &positions)].map(entry),
+            entries: &[entry(0, &joints), entry(1, &rest), entry(2, &weights), entry(3, &positions)],
         });
         Self { pipeline, group, joints, positions, vertices: mesh.vertex_count() as u32 }
     }

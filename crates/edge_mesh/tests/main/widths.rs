@@ -44,7 +44,7 @@ fn widths_are_the_same_at_every_field_of_view() {
             for asked in [1.5, 4.0, 12.0] {
                 let px = ring_px(gpu, fov_deg, 768, &[path, &format!("width={asked}")]);
                 // Counting the pixels of a circle is off by up to 0.05 px.
-                let most = (0.02 * asked).max(0.05);
+                let most = f64::max(0.02 * asked, 0.05);
                 assert!((px - asked).abs() < most, "{path}, {fov_deg} degrees: {px}, not {asked}");
             }
         }
