@@ -8,7 +8,7 @@
 
 #![allow(clippy::print_stdout, reason = "the table is the output")]
 
-use silhouette_core::glam::{DMat4, DVec3};
+use silhouette_core::glam::{DMat4, DVec3, Vec3};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::method::NoOptions;
 use silhouette_core::{ExtractsEdges, Method, MethodOptions, NoProgress, PreparedMesh, Topology, shapes};
@@ -116,7 +116,7 @@ fn at_rest(gpu: &Gpu, name: &str, size: u32) -> Result<(), Box<dyn Error>> {
 fn moving(gpu: &Gpu, name: &str, size: u32) -> Result<(), Box<dyn Error>> {
     let mesh = loaded(name)?;
     let bounds = mesh.mesh().bounds().ok_or("a mesh without triangles")?;
-    let local: Vec<u8> = mesh.mesh().positions().iter().flat_map(|p| p.to_array()).flat_map(f32::to_ne_bytes).collect();
+    let local: Vec<u8> = mesh.mesh().positions().iter().flat_map(Vec3::to_array).flat_map(f32::to_ne_bytes).collect();
     let positions = gpu.device().create_buffer(&wgpu::BufferDescriptor {
         label: Some("positions"),
         size: local.len() as u64,
@@ -140,7 +140,7 @@ fn table(gpu: &Gpu, buffers: &Arc<MeshBuffers>, mut rows: Vec<Row>, size: u32) -
     let camera = silhouette_core::Camera::framing(
         &bounds,
         DVec3::new(0.55, 0.35, 1.0),
-        silhouette_core::glam::Vec3::Y,
+        Vec3::Y,
         views::PERSPECTIVE,
         [size; 2],
     )?;

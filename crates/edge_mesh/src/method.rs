@@ -45,12 +45,7 @@ impl Method for EdgeMesh {
         name: "edge-mesh",
         summary: "Draws silhouettes, ridges and valleys from one precomputed list of edges, of which a compute or vertex \
                   stage leaves out what is not drawn.",
-        source: Source {
-            authors: "Jason Zink",
-            title: "Edge mesh silhouette rendering",
-            venue: "GameDev.net",
-            year: 2006,
-        },
+        source: Source { authors: "Jason Zink", title: "Fast Silhouettes", venue: "GameDev.net", year: 2006 },
         exact: true,
         needs: &[Topology::NAME],
         options: EdgeMeshOptions::SPECS,

@@ -90,8 +90,8 @@ impl Scene {
             }
             poses.push(skin);
         }
-        let projection = Projection::Perspective { fov_y_rad: 0.6 };
-        let camera = Camera::new(Vec3::new(0.5, 2.5, 9.0), Vec3::new(0.0, -0.1, -1.0), Vec3::Y, projection, SIZE)?;
+        let projection = Projection::Perspective { fov_y_rad: 0.42 };
+        let camera = Camera::new(Vec3::new(0.5, 2.5, 9.0), Vec3::new(0.1, 0.1, -1.0), Vec3::Y, projection, SIZE)?;
         let range = ClipRange { near: 0.5, far: 40.0 };
         let view = FrameView::from_camera(&camera, range, DEFAULT_FORMATS.depth_direction)?;
         let target = Target::new(gpu, SIZE, DEFAULT_FORMATS)?;

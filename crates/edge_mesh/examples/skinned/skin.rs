@@ -2,7 +2,9 @@
 
 use crate::beam::weight;
 use silhouette_core::TriangleMesh;
-use silhouette_core::glam::{Mat4, Vec3};
+use silhouette_core::glam::Mat4;
+#[cfg(test)]
+use silhouette_core::glam::Vec3;
 use silhouette_render::Gpu;
 
 /// The matrices of both joints: the lower half stands, the upper half turns about the middle.

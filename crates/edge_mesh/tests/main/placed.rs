@@ -105,7 +105,7 @@ fn a_moving_mesh_is_drawn_as_a_mesh_with_those_positions() {
 
 /// Positions in a buffer of the caller's.
 fn position_buffer(gpu: &Gpu, positions: &[Vec3], mesh: &TriangleMesh, bounds: Bounds) -> Arc<MeshBuffers> {
-    let bytes: Vec<u8> = positions.iter().flat_map(|p| p.to_array()).flat_map(f32::to_le_bytes).collect();
+    let bytes: Vec<u8> = positions.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes).collect();
     let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
         label: None,
         size: bytes.len() as u64,
