@@ -9,7 +9,6 @@
 #![allow(clippy::print_stdout, reason = "the table is the output")]
 
 use silhouette_core::glam::{DMat4, DVec3, Vec3};
-use silhouette_core::mesh::Bounds;
 use silhouette_core::method::NoOptions;
 use silhouette_core::{ExtractsEdges, Method, MethodOptions, NoProgress, PreparedMesh, Topology, shapes};
 use silhouette_edge_mesh::{EdgeMesh, EdgeMeshOptions};
@@ -125,7 +124,6 @@ fn moving(gpu: &Gpu, name: &str, size: u32) -> Result<(), Box<dyn Error>> {
     });
     gpu.queue().write_buffer(&positions, 0, &local);
     let triangles = mesh.mesh().triangles();
-    let bounds = Bounds { ..bounds };
     let buffers = MeshBuffers::from_position_buffer(gpu.device(), gpu.queue(), positions, triangles, bounds)?;
     let buffers = Arc::new(buffers);
     let mut rows = vec![plain(gpu, &buffers)];
@@ -137,13 +135,8 @@ fn moving(gpu: &Gpu, name: &str, size: u32) -> Result<(), Box<dyn Error>> {
 fn table(gpu: &Gpu, buffers: &Arc<MeshBuffers>, mut rows: Vec<Row>, size: u32) -> Result<(), Box<dyn Error>> {
     let target = Target::new(gpu, [size; 2], DEFAULT_FORMATS)?;
     let bounds = buffers.bounds().ok_or("a mesh without triangles")?;
-    let camera = silhouette_core::Camera::framing(
-        &bounds,
-        DVec3::new(0.55, 0.35, 1.0),
-        Vec3::Y,
-        views::PERSPECTIVE,
-        [size; 2],
-    )?;
+    let camera =
+        silhouette_core::Camera::framing(&bounds, DVec3::new(0.55, 0.35, 1.0), Vec3::Y, views::PERSPECTIVE, [size; 2])?;
     let mut inks = vec![0; rows.len()];
     let mut times = vec![(Vec::new(), Vec::new()); rows.len()];
     for round in 0..=ROUNDS {

@@ -38,3 +38,25 @@ impl OnDevices {
         Ok(buffers)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::FaceId;
+    use silhouette_testing::gpu_or_skip;
+
+    #[test]
+    fn renderers_that_live_together_share_the_records() {
+        let Some(gpu) = gpu_or_skip("renderers_that_live_together_share_the_records") else { return };
+        let records = [EdgeRecord::boundary([0, 1], FaceId::new(0)); 100];
+        let on_devices = OnDevices::default();
+        let get = || on_devices.get(gpu.device(), gpu.queue(), &records).unwrap();
+        let [first, second] = [get(), get()];
+        assert!(Arc::ptr_eq(&first, &second) && first.records.size() == 1600);
+        drop(first);
+        assert!(Arc::ptr_eq(&second, &get()));
+        let before = second.records.clone();
+        drop(second);
+        assert!(get().records != before, "uploaded anew once no renderer is left");
+    }
+}

@@ -66,7 +66,7 @@
 //!    nothing is multiplied or normalised for its sign.
 //! 6. Boundary edges were not generated. Here they are always drawn; an edge with k faces has k - 1 records.
 //! 7. Ridges and silhouettes add up to an alpha of 2. Here an edge is one or the other, with colours of their own.
-//! 8. Edges that are not drawn were displaced, rasterised and discarded. Here they are not listed, or collapse to a point.
+//! 8. Edges that are not drawn were displaced, rasterised and discarded. Here they are not listed, or lie outside the clip volume.
 //! 9. Lines had no ends, so that corners gaped. Here ends are rounded.
 //! 10. Ridges were decided once. Here a mesh that moves finds them anew, from this frame's normals.
 //!

@@ -77,6 +77,7 @@ pub(crate) struct Lines {
     hides_back_features: bool,
     facings: FaceFacings,
     facing: wgpu::Buffer,
+    normals: wgpu::Buffer,
     /// The viewpoint for which `facing` holds exact facings.
     exact_for: Option<Viewpoint>,
     binding: CameraBinding,
@@ -103,6 +104,8 @@ struct Counts {
 struct Drawn {
     /// Whether faces are classified on the device.
     on_device: bool,
+    /// Whether ridges and valleys are found from this frame's normals.
+    bends_now: bool,
     /// Records that may be features.
     features: u32,
 }
@@ -149,6 +152,7 @@ impl Lines {
             _edges: edges,
             counts,
             facing,
+            normals,
             lists,
         }))
     }
@@ -170,8 +174,8 @@ impl Lines {
             self.classify(queue, view.viewpoint());
         }
         let bends_now = !is_at_rest && self.stages.options.draws_by_angle();
-        self.drawn =
-            Drawn { on_device, features: if bends_now { self.counts.moving_features } else { self.counts.features } };
+        let Counts { features, moving_features, .. } = self.counts;
+        self.drawn = Drawn { on_device, bends_now, features: if bends_now { moving_features } else { features } };
         let sides = [0, 1].map(|pen: usize| style.pens[pen].shape.end_sides);
         for (indices, sides) in self.indices.iter_mut().zip(sides) {
             indices.fit(device, queue, sides);
@@ -240,6 +244,11 @@ impl Lines {
     /// The lists of the view last encoded; `None` where the vertex stage decides.
     pub fn lists(&self) -> Option<[&wgpu::Buffer; 2]> {
         self.lists.as_ref().map(DrawnLists::buffers)
+    }
+
+    /// The normals of the view last encoded; `None` where none were asked for.
+    pub fn normals(&self) -> Option<&wgpu::Buffer> {
+        self.drawn.bends_now.then_some(&self.normals)
     }
 
     /// The facings of the view last encoded.

@@ -92,6 +92,12 @@ impl Renderer {
         if let InstanceLines::Corrected(lines) = &self.lines { lines.lists() } else { None }
     }
 
+    /// The normals of this frame's faces, on the device, as [`oct_normal`](crate::oct_normal) stores them: one word per face. `None`
+    /// unless the mesh has moved and ridges or valleys are drawn by their angle.
+    pub fn normals(&self) -> Option<&wgpu::Buffer> {
+        if let InstanceLines::Corrected(lines) = &self.lines { lines.normals() } else { None }
+    }
+
     /// The facings of the view last encoded, on the device: one bit per face, set for front faces; face `f` is bit `f % 32` of
     /// word `f / 32`. `None` for a mesh without triangles, and for the article's arithmetic.
     pub fn facings(&self) -> Option<&wgpu::Buffer> {

@@ -2,13 +2,13 @@
 
 use crate::scene::{self, GROUND, PATHS, count, drawn, framed, method, picture};
 use silhouette_core::glam::Vec3;
-use silhouette_core::{Method, MethodOptions, PreparedMesh, TriangleMesh, VertexId};
+use silhouette_core::{FaceId, Method, MethodOptions, PreparedMesh, TriangleMesh, VertexId};
 use silhouette_edge_mesh::edge_record::Bend;
-use silhouette_edge_mesh::{EdgeMesh, EdgeMeshOptions};
+use silhouette_edge_mesh::{EdgeMesh, EdgeMeshOptions, face_planes, oct_normal};
 use silhouette_gpu::FrameRenderer;
 use silhouette_render::{DEFAULT_FORMATS, view_of_mesh};
 use silhouette_testing::edits::{moved, turned_over};
-use silhouette_testing::{builtin, gpu_or_skip};
+use silhouette_testing::{builtin, gpu_or_skip, zoo};
 use std::sync::Arc;
 
 /// Numbers of ridges and of valleys.
@@ -138,5 +138,33 @@ fn bends_of_a_moving_mesh_are_those_of_this_frame() {
             assert!(ends == [1, 2] || ends == [2, 1], "{ends:?}");
         }
         renderer.prepare(gpu.device(), gpu.queue(), &view).unwrap();
+    }
+}
+
+/// What the device stores of this frame's normals is what its twin stores, and no farther from the true ones than the bound.
+#[test]
+fn normals_of_the_device_are_those_of_its_twin() {
+    let Some(gpu) = gpu_or_skip("normals_of_the_device_are_those_of_its_twin") else { return };
+    for mesh in [builtin("blob:3000,0.6"), builtin("cube"), zoo::book(5)] {
+        let method = method(&mesh, &["ridge-angle=30"]);
+        let buffers = scene::buffers(gpu, &mesh);
+        let mut renderer = scene::renderer_of(gpu, &method, &buffers, DEFAULT_FORMATS);
+        let view = scene::any_view(&mesh, &framed(&mesh, 16));
+        drawn(gpu, &mut renderer, &view);
+        assert!(renderer.normals().is_none(), "at rest, bends are known");
+        buffers.set_positions(gpu.queue(), mesh.positions()).unwrap();
+        drawn(gpu, &mut renderer, &view);
+        let stored = scene::words_of(gpu, renderer.normals().unwrap());
+        for face in (0..mesh.face_count()).map(FaceId::from_usize) {
+            let local = mesh.corners(face).map(|corner| buffers.frame().to_local(corner.as_dvec3()));
+            let [a, b, c] = local.map(Vec3::as_dvec3);
+            let truth = (b - a).cross(c - a).normalize();
+            for word in [stored[face.index()], face_planes::normal(local)] {
+                let normal = oct_normal::decode(word).as_dvec3();
+                let error_rad = normal.cross(truth).length().atan2(normal.dot(truth));
+                // The cross product is rounded as well before it is stored.
+                assert!(error_rad < oct_normal::ERROR_RAD + 1e-5, "face {face}: {error_rad}");
+            }
+        }
     }
 }
