@@ -43,10 +43,14 @@ fn polygon_point(vertex: u32) -> u32 {
     return select(vertex / 3u + vertex % 3u, 0u, vertex % 3u == 0u);
 }
 
-// Which point of the rim a vertex is. Callers read the rim themselves: passed by value, it would be copied for each vertex.
-fn rim_point(vertex: u32, shape: LineShape) -> u32 {
-    let point = polygon_point(vertex);
+// Which point of the rim a point of the polygon is. Callers read the rim themselves: passed by value, it would be copied for each
+// vertex.
+fn rim_of(point: u32, shape: LineShape) -> u32 {
     return select(point - shape.end_sides - 1u, shape.end_sides - point, point <= shape.end_sides);
+}
+
+fn rim_point(vertex: u32, shape: LineShape) -> u32 {
+    return rim_of(polygon_point(vertex), shape);
 }
 
 fn line_pixel(clip: vec4<f32>, shape: LineShape) -> vec2<f32> {
@@ -68,6 +72,11 @@ fn reach_px(w: f32, outward: vec2<f32>, shape: LineShape) -> f32 {
 // A vertex of the line between two positions in clip space, with ink to the left of that way. `rim` is the entry of the rim at
 // `rim_point`.
 fn line_point(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>, shape: LineShape, rim: vec2<f32>) -> LinePoint {
+    return line_corner(polygon_point(vertex), from_clip, to_clip, shape, rim);
+}
+
+// The same for a point of the polygon, 0 to 2 * end_sides + 1. `rim` is the entry of the rim at `rim_of`.
+fn line_corner(point: u32, from_clip: vec4<f32>, to_clip: vec4<f32>, shape: LineShape, rim: vec2<f32>) -> LinePoint {
     if max(from_clip.w, to_clip.w) <= shape.near_w {
         return NO_POINT;
     }
@@ -81,7 +90,7 @@ fn line_point(vertex: u32, from_clip: vec4<f32>, to_clip: vec4<f32>, shape: Line
     }
     let direction = way / length_px;
     let left = vec2<f32>(-direction.y, direction.x);
-    let of_b = polygon_point(vertex) <= shape.end_sides;
+    let of_b = point <= shape.end_sides;
     let anchor = select(a, b, of_b);
     let from_end = rim * reach_px(anchor.w, left, shape);
     let beyond = select(-direction, direction, of_b);

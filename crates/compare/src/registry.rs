@@ -19,6 +19,7 @@ use silhouette_baselines::FineMesh;
 #[cfg(feature = "simplify")]
 use silhouette_baselines::LodMesh;
 use silhouette_core::Method;
+use silhouette_edge_mesh::EdgeMesh;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_image_precision::ImagePrecision;
 use silhouette_smoothing::{
@@ -57,6 +58,7 @@ impl Registry {
             .with(Entry::of::<Tracking>().loops())
             .with(Entry::of::<ExactTracking>().loops())
             .with(Entry::of::<ImagePrecision>().lines())
+            .with(Entry::of::<EdgeMesh>().edges().lines())
             .with(Entry::of::<FineMesh>().fill())
             .with(Entry::of::<Smoothing>().curves().fill().triangles())
             .with(Entry::of::<InterpolatedContours>().curves())

@@ -292,6 +292,11 @@ impl FaceFacings {
         self.front[face.index() / 64] >> (face.index() % 64) & 1 == 1
     }
 
+    /// One bit per face, set for front faces: face `f` is bit `f % 64` of word `f / 64`. Bits beyond the last face are 0.
+    pub fn words(&self) -> &[u64] {
+        &self.front
+    }
+
     /// Number of front faces.
     pub fn front_count(&self) -> usize {
         self.front.iter().map(|word| word.count_ones() as usize).sum()
@@ -422,5 +427,9 @@ mod tests {
         let facings = FaceFacings::from_fn(130, |face| face.get() % 3 == 0);
         assert_eq!(facings.front_count(), 44);
         assert!((0..130).all(|face| facings.is_front(FaceId::new(face)) == (face % 3 == 0)));
+        assert!(
+            (0..192)
+                .all(|face| facings.words()[face / 64] >> (face % 64) & 1 == u64::from(face < 130 && face % 3 == 0))
+        );
     }
 }

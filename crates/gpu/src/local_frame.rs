@@ -1,7 +1,7 @@
 //! [`LocalFrame`]: the coordinates in which a mesh is uploaded.
 
 use crate::frame_view::FrameView;
-use glam::{DMat3, DMat4, DVec3, Vec3};
+use glam::{DMat3, DMat4, DVec3, Vec3, Vec4};
 use silhouette_core::mesh::Bounds;
 
 /// Coordinates about the middle of a mesh, in a unit of about its size.
@@ -26,6 +26,16 @@ impl LocalFrame {
     /// A position of the mesh's own space in this frame, rounded to 32 bits last.
     pub fn to_local(&self, object: DVec3) -> Vec3 {
         ((object - self.center) / self.unit).as_vec3()
+    }
+
+    /// Where the mesh is seen from, in this frame: the eye with w = 1, or the unit direction towards the viewer with w = 0.
+    pub fn viewer(&self, view: &FrameView) -> Vec4 {
+        let eye = view.object_eye();
+        if view.is_perspective() {
+            self.to_local(eye.truncate()).extend(1.0)
+        } else {
+            eye.truncate().normalize().as_vec3().extend(0.0)
+        }
     }
 
     /// The length in the mesh's own space of the frame's unit.

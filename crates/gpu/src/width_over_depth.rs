@@ -36,6 +36,20 @@ impl WidthOverDepth {
     pub fn px_at(&self, depth: f64) -> f64 {
         self.constant_px + self.px_at_depth_1 / depth
     }
+
+    /// The width in pixels at the middle of a mesh, and what to add to depth-buffer values
+    /// ([`LineShape::lift`](crate::LineShape::lift)) to bring lines there as far in front of the faces that they lie on as they
+    /// are wide.
+    pub fn lift(&self, view: &FrameView, bounds: &Bounds) -> (f64, f32) {
+        let law = view.depth_law();
+        let range = law.range();
+        let least = if range.far.is_finite() { range.near + 0.1 * (range.far - range.near) } else { 1.1 * range.near };
+        let depth = view.depth(bounds.center).max(least);
+        let width_px = self.px_at(depth);
+        let toward = width_px / view.pixels_per_unit(depth);
+        let lift = law.value_at(depth - toward.min(0.5 * depth.abs())) - law.value_at(depth);
+        (width_px, lift as f32)
+    }
 }
 
 /// The share of its width that a line keeps at the distance of the mesh.

@@ -85,14 +85,13 @@ impl Viewer {
         let to_world = DMat3::from_mat4(view.object_to_view() * view.model().inverse()).inverse();
         let axis = (to_world * DVec3::Z * view.depth_law().view_z_of_depth(1.0)).normalize();
         let up = (to_world * DVec3::Y).normalize();
-        let eye = view.object_eye();
-        if view.is_perspective() {
-            let local = frame.to_local(eye.truncate());
-            Self { local_eye: local.extend(1.0), eye: (frame.shape(view) * local.as_dvec3()).extend(1.0), axis, up }
+        let local_eye = frame.viewer(view);
+        let eye = if view.is_perspective() {
+            (frame.shape(view) * local_eye.truncate().as_dvec3()).extend(1.0)
         } else {
-            let toward = eye.truncate().normalize().as_vec3();
-            Self { local_eye: toward.extend(0.0), eye: (-axis).extend(0.0), axis, up }
-        }
+            (-axis).extend(0.0)
+        };
+        Self { local_eye, eye, axis, up }
     }
 }
 

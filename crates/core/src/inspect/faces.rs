@@ -7,13 +7,13 @@ use glam::Vec3;
 use rayon::prelude::*;
 use robust::{Coord, orient2d};
 
-/// Whether three points are collinear, exactly.
+/// Whether a face with these corners has no area: whether three points are collinear, exactly.
 ///
 /// The components of `(b - a) x (c - a)` are the signed areas of the triangle's projections along the three axes, each
 /// an `orient2d` of two of the coordinates. That predicate is exact as long as nothing over- or underflows, and with
 /// 32-bit inputs nothing does in 64-bit arithmetic: products and their rounding errors lie between 2^-298 and 2^258. The
 /// corners are collinear if and only if all three vanish.
-pub(super) fn has_zero_area([a, b, c]: [Vec3; 3]) -> bool {
+pub fn has_zero_area([a, b, c]: [Vec3; 3]) -> bool {
     let vanishes_along = |drop: usize| {
         let project = |p: Vec3| Coord { x: p[(drop + 1) % 3], y: p[(drop + 2) % 3] };
         orient2d(project(a), project(b), project(c)) == 0.0

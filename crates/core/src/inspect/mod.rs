@@ -25,6 +25,7 @@ mod tests;
 pub use boundary::BoundaryLoop;
 pub use components::Component;
 pub use defects::{Defects, EdgeDefect};
+pub use faces::has_zero_area;
 pub use measure::{EdgeLengths, Extent, SmallestAngle};
 
 use crate::id::{EdgeId, HalfEdgeId};

@@ -5,7 +5,7 @@ use crate::settings::Variant;
 use crate::style::{self, StyleUniform};
 use silhouette_core::mesh::Bounds;
 use silhouette_gpu::kit::{buffers_group, storage_buffer};
-use silhouette_gpu::{CameraBinding, CameraUniform, FrameView, MeshBinding, MeshTooLarge, Rounding};
+use silhouette_gpu::{CameraBinding, CameraUniform, FrameView, MeshBinding, MeshTooLarge, Rounding, WidthOverDepth};
 
 /// Lines given by pairs of vertices, centred on their edges and brought as far in front of the faces that they lie on as
 /// they are wide.
@@ -58,19 +58,16 @@ impl ExtraLines {
         camera: &CameraUniform,
         style: &StyleUniform,
     ) {
-        let law = view.depth_law();
-        let range = law.range();
-        let least = if range.far.is_finite() { range.near + 0.1 * (range.far - range.near) } else { 1.1 * range.near };
-        let depth = view.depth(bounds.center).max(least);
-        let px_per_unit = view.pixels_per_unit(depth);
         let [half, half_falling] = style.line.shape.reach.map(|reach| self.half * reach);
-        let width_px = 2.0 * (f64::from(half) + f64::from(half_falling) * depth_per_w / depth);
-        let toward = width_px / px_per_unit;
-        let lift = law.value_at(depth - toward.min(0.5 * depth.abs())) - law.value_at(depth);
+        let width = WidthOverDepth {
+            constant_px: 2.0 * f64::from(half),
+            px_at_depth_1: 2.0 * f64::from(half_falling) * depth_per_w,
+        };
+        let (width_px, lift) = width.lift(view, bounds);
         let mut style = *style;
         style.line.round(Rounding::new(0.5 * width_px, true));
         style.line.shape.reach = [half, half_falling];
-        style.line.shape.lift = lift as f32;
+        style.line.shape.lift = lift;
         self.vertices = self.edges.saturating_mul(style.line.vertices_per_line());
         self.binding.write(queue, camera, &style);
     }
