@@ -5,6 +5,8 @@
 //! which is chosen for each view, as engines do.
 
 mod fine_mesh;
+pub mod inverted_hull;
+mod line_options;
 #[cfg(feature = "simplify")]
 mod lod_chain;
 #[cfg(feature = "simplify")]
@@ -14,6 +16,7 @@ mod lod_renderer;
 mod shading;
 
 pub use fine_mesh::{FineMesh, FineMeshOptions};
+pub use inverted_hull::{InvertedHull, InvertedHullOptions};
 #[cfg(feature = "simplify")]
 pub use lod_chain::LodLevel;
 #[cfg(feature = "simplify")]

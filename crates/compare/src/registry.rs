@@ -15,7 +15,7 @@ mod entry;
 
 pub use entry::{Capabilities, Entry, EntryBuilder, FillMethod, LineMethod, Prepared};
 
-use silhouette_baselines::FineMesh;
+use silhouette_baselines::{FineMesh, InvertedHull};
 #[cfg(feature = "simplify")]
 use silhouette_baselines::LodMesh;
 use silhouette_core::Method;
@@ -58,6 +58,7 @@ impl Registry {
             .with(Entry::of::<ExactTracking>().loops())
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<FineMesh>().fill())
+            .with(Entry::of::<InvertedHull>().lines())
             .with(Entry::of::<Smoothing>().curves().fill().triangles())
             .with(Entry::of::<InterpolatedContours>().curves())
             .with(Entry::of::<BoundaryCurve>().curves().fill().triangles())
