@@ -15,7 +15,7 @@ mod entry;
 
 pub use entry::{Capabilities, Entry, EntryBuilder, FillMethod, LineMethod, Prepared};
 
-use silhouette_baselines::{FineMesh, InvertedHull};
+use silhouette_baselines::{FineMesh, GbufferFilter, InvertedHull, JumpFlood};
 #[cfg(feature = "simplify")]
 use silhouette_baselines::LodMesh;
 use silhouette_core::Method;
@@ -59,6 +59,8 @@ impl Registry {
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<FineMesh>().fill())
             .with(Entry::of::<InvertedHull>().lines())
+            .with(Entry::of::<GbufferFilter>().lines())
+            .with(Entry::of::<JumpFlood>().lines())
             .with(Entry::of::<Smoothing>().curves().fill().triangles())
             .with(Entry::of::<InterpolatedContours>().curves())
             .with(Entry::of::<BoundaryCurve>().curves().fill().triangles())

@@ -1,0 +1,18 @@
+//! Step 2: seeds on borders, one per pixel. Stage: `shaders/baselines/border_seeds.wgsl`.
+//!
+//! A pixel has a seed where the object in front there stands before another object, or before the ground, within the pixel or one of
+//! the eight around it; of two objects at the same depth the one with the lower number counts as in front. The seed is the point
+//! of the border nearest to the pixel's middle, as if the border were straight: it runs across the direction towards the samples
+//! that the object covers, and leaves the share of the pixel inside that it covers.
+
+use super::object_mask;
+use crate::distance_field::FieldLayouts;
+use silhouette_gpu::CameraBinding;
+use silhouette_gpu::kit::compute_pipeline;
+
+/// The stage that reads the mask as group 1 and plants seeds into group 2.
+pub(super) fn pipeline(device: &wgpu::Device, layouts: &FieldLayouts) -> wgpu::ComputePipeline {
+    let (camera, mask) = (CameraBinding::layout(device), object_mask::layout(device));
+    let bindings = [Some(&camera), Some(&mask), Some(&layouts.planting)];
+    compute_pipeline(device, silhouette_shaders::baselines::BORDER_SEEDS, "plant", &bindings)
+}
