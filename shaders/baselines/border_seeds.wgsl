@@ -63,28 +63,35 @@ fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
     var covered = 0;
     var farthest = depth;
     var inward = vec2<f32>(0.0);
-    var stands_before = false;
+    var stands_beside = false;
     for (var neighbour = 0; neighbour < 9; neighbour++) {
         let to = vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
         if !is_in_field(pixel + to) {
             continue;
         }
+        var same = 0;
+        var stands_before = false;
         for (var i = 0; i < SAMPLES; i++) {
             let other = textureLoad(objects, pixel + to, i).x;
             let other_depth = depth_of_value(textureLoad(depths, pixel + to, i));
             if other == object {
-                covered += i32(neighbour == 4);
+                same += 1;
                 farthest = max(farthest, other_depth);
                 inward += vec2<f32>(to) + SAMPLE_PLACES[i];
             } else if other == 0u || is_before(depth, object, other_depth, other) {
                 stands_before = true;
             }
         }
+        // Where a pixel that the object covers in part lies between, the border runs there.
+        stands_beside |= same == 0 && stands_before && abs(to.x) + abs(to.y) == 1;
+        covered += select(0, same, neighbour == 4);
     }
-    let flags = select(0u, COVERED, covered == SAMPLES) | select(0u, SEED, stands_before);
+    let is_covered = covered == SAMPLES;
+    let is_border = !is_covered || stands_beside;
+    let flags = select(0u, COVERED, is_covered) | select(0u, SEED, is_border);
     let place = border_place(inward, f32(covered) / f32(SAMPLES));
     // The ink of a seed lies behind the object itself; other pixels say what ink must be nearer than.
-    let record = packed_record(select(depth, farthest, stands_before), object, flags, place);
+    let record = packed_record(select(depth, farthest, is_border), object, flags, place);
     textureStore(records, pixel, vec4<u32>(record, 0u, 0u));
-    textureStore(nearest, pixel, vec4<u32>(select(NONE, packed_pixel(pixel), stands_before), 0u, 0u, 0u));
+    textureStore(nearest, pixel, vec4<u32>(select(NONE, packed_pixel(pixel), is_border), 0u, 0u, 0u));
 }

@@ -38,8 +38,8 @@ fn outline_ink(@builtin(position) position: vec4<f32>) -> Inked {
     let own = textureLoad(records, pixel, 0).xy;
     var known = textureLoad(nearest, pixel, 0).x;
     var is_over = (own.y & COVERED) != 0u;
-    if known == packed_pixel(pixel) {
-        // A border keeps its own seed, whose ink lies beside it; the pixels around it know whose ink lies over it.
+    if (own.y & SEED) != 0u {
+        // A border knows a seed of its own object, whose ink lies beside it; the pixels around it know whose ink lies over it.
         let over = seed_over(pixel, own);
         let at = unpacked_pixel(select(over, 0u, over == NONE));
         let record = textureLoad(records, at, 0).xy;

@@ -1,9 +1,10 @@
 //! Step 2: seeds on borders, one per pixel. Stage: `shaders/baselines/border_seeds.wgsl`.
 //!
-//! A pixel has a seed where the object in front there stands before another object, or before the ground, within the pixel or one of
-//! the eight around it; of two objects at the same depth the one with the lower number counts as in front. The seed is the point
-//! of the border nearest to the pixel's middle, as if the border were straight: it runs across the direction towards the samples
-//! that the object covers, and leaves the share of the pixel inside that it covers.
+//! A pixel has a seed where the object in front there covers a part of its samples, or all of them while one of the four pixels
+//! beside it has none of the object's and the object stands before what it has. Of two objects at the same depth the one with the
+//! lower number counts as in front. The seed is the point of the border nearest to the pixel's middle, as if the border were
+//! straight: it runs across the direction towards the samples around that the object covers, and leaves the share of the pixel inside
+//! that it covers.
 
 use super::object_mask;
 use crate::distance_field::FieldLayouts;
