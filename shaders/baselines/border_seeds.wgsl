@@ -17,8 +17,8 @@ const SAMPLE_PLACES = array<vec2<f32>, 4>(
     vec2<f32>(0.125, 0.375),
 );
 
-// The point of the border nearest to the pixel's middle, from there, in pixels: `inward` points to the covered side, and
-// `coverage` of the pixel lies there. Stefan Gustavson and Robin Strand, "Anti-aliased Euclidean distance transform", Pattern
+// The point of a border nearest to the middle of a square, from there, in sides of the square: `inward` points to the covered side,
+// and `coverage` of the square lies there. Stefan Gustavson and Robin Strand, "Anti-aliased Euclidean distance transform", Pattern
 // Recognition Letters 2011.
 fn border_place(inward: vec2<f32>, coverage: f32) -> vec2<f32> {
     let size = length(inward);
@@ -37,6 +37,9 @@ fn border_place(inward: vec2<f32>, coverage: f32) -> vec2<f32> {
     }
     return direction * select(-away, away, coverage < 0.5);
 }
+
+// Of a border that runs through a pixel, half of the diagonal.
+const FARTHEST_PLACE_PX: f32 = 0.7071;
 
 @compute @workgroup_size(8, 8)
 fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -61,6 +64,7 @@ fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     var covered = 0;
+    var around = 0;
     var farthest = depth;
     var inward = vec2<f32>(0.0);
     var stands_beside = false;
@@ -85,13 +89,16 @@ fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
         // Where a pixel that the object covers in part lies between, the border runs there.
         stands_beside |= same == 0 && stands_before && abs(to.x) + abs(to.y) == 1;
         covered += select(0, same, neighbour == 4);
+        around += same;
     }
     let is_covered = covered == SAMPLES;
     let is_border = !is_covered || stands_beside;
     let flags = select(0u, COVERED, is_covered) | select(0u, SEED, is_border);
-    let place = border_place(inward, f32(covered) / f32(SAMPLES));
+    // The nine pixels as one square: its 36 samples place a border better than four do. It runs through the pixel in their middle.
+    let place = 3.0 * border_place(inward, f32(around) / f32(9 * SAMPLES));
+    let within = place * min(FARTHEST_PLACE_PX / max(length(place), 1e-6), 1.0);
     // The ink of a seed lies behind the object itself; other pixels say what ink must be nearer than.
-    let record = packed_record(select(depth, farthest, is_border), object, flags, place);
+    let record = packed_record(select(depth, farthest, is_border), object, flags, within);
     textureStore(records, pixel, vec4<u32>(record, 0u, 0u));
     textureStore(nearest, pixel, vec4<u32>(select(NONE, packed_pixel(pixel), is_border), 0u, 0u, 0u));
 }

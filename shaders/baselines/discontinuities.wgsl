@@ -35,24 +35,25 @@ fn texel(pixel: vec2<i32>) -> Texel {
     return Texel(normal.xyz, is_mesh, select(NOWHERE, depth, is_mesh), select(-depth, 1.0 / depth, thresholds.is_perspective != 0u));
 }
 
-// A difference of flat depths at a depth as a step in depth.
-fn step_of(difference: f32, depth: f32) -> f32 {
-    return difference * select(1.0, depth * depth, thresholds.is_perspective != 0u);
+// How much the step from a to b exceeds those beside it, from a neighbour before a and to one after b, as a step in depth: nothing on
+// a plane. Beside the end of the mesh no step counts: surfaces that curve away fall there ever more steeply.
+fn excess(before: Texel, a: Texel, b: Texel, after: Texel) -> f32 {
+    if !(before.is_mesh && after.is_mesh) {
+        return 0.0;
+    }
+    let own = b.flat_depth - a.flat_depth;
+    let beside = max((a.flat_depth - before.flat_depth) * sign(own), (after.flat_depth - b.flat_depth) * sign(own));
+    let nearer = min(a.depth, b.depth);
+    return (abs(own) - max(beside, 0.0)) * select(1.0, nearer * nearer, thresholds.is_perspective != 0u);
 }
 
-// How much the step from a to b exceeds that from a neighbour before a, and that to one after b: nothing on a plane.
-fn excess(before: Texel, a: Texel, b: Texel, after: Texel) -> f32 {
-    let own = b.flat_depth - a.flat_depth;
-    let first = select(0.0, a.flat_depth - before.flat_depth, before.is_mesh);
-    let last = select(0.0, after.flat_depth - b.flat_depth, after.is_mesh);
-    return step_of(min(abs(own - first), abs(own - last)), min(a.depth, b.depth));
+fn steps(before: Texel, a: Texel, b: Texel, after: Texel) -> bool {
+    return a.is_mesh != b.is_mesh || (a.is_mesh && excess(before, a, b, after) > thresholds.depth);
 }
 
 fn parts(before: Texel, a: Texel, b: Texel, after: Texel) -> bool {
-    if !(a.is_mesh && b.is_mesh) {
-        return a.is_mesh != b.is_mesh;
-    }
-    return excess(before, a, b, after) > thresholds.depth || dot(a.normal, b.normal) < thresholds.cosine;
+    let turns = a.is_mesh && b.is_mesh && dot(a.normal, b.normal) < thresholds.cosine;
+    return turns || steps(before, a, b, after);
 }
 
 fn store(pixel: vec2<i32>, is_seed: bool, place: vec2<f32>) {
@@ -66,24 +67,29 @@ fn store(pixel: vec2<i32>, is_seed: bool, place: vec2<f32>) {
     textureStore(nearest, pixel, vec4<u32>(select(NONE, packed_pixel(pixel), is_seed), 0u, 0u, 0u));
 }
 
-// Both diagonals of the four pixels around a corner (Roberts), with the next pixel along each.
+// Both diagonals of the four pixels around a corner (Roberts), with the next pixel along each. The seed lies between the middle of
+// the nearer pixels and that of the farther ones.
 @compute @workgroup_size(8, 8)
 fn roberts(@builtin(global_invocation_id) id: vec3<u32>) {
     let p = vec2<i32>(id.xy);
     if !is_in_field(p) {
         return;
     }
-    let down = parts(texel(p - 1), texel(p), texel(p + 1), texel(p + 2));
-    let up = parts(
-        texel(p + vec2<i32>(-1, 2)),
-        texel(p + vec2<i32>(0, 1)),
-        texel(p + vec2<i32>(1, 0)),
-        texel(p + vec2<i32>(2, -1)),
-    );
-    store(p, down || up, vec2<f32>(0.5));
+    let four = array(texel(p), texel(p + vec2<i32>(1, 0)), texel(p + vec2<i32>(0, 1)), texel(p + 1));
+    let down = parts(texel(p - 1), four[0], four[3], texel(p + 2));
+    let up = parts(texel(p + vec2<i32>(-1, 2)), four[2], four[1], texel(p + vec2<i32>(2, -1)));
+    let depths = vec4<f32>(four[0].depth, four[1].depth, four[2].depth, four[3].depth);
+    let nearest_depth = min(min(depths.x, depths.y), min(depths.z, depths.w));
+    let farthest_depth = max(max(depths.x, depths.y), max(depths.z, depths.w));
+    let near = select(vec4<f32>(0.0), vec4<f32>(1.0), depths <= vec4<f32>(mix(nearest_depth, farthest_depth, 0.5)));
+    let far = 1.0 - near;
+    let nearer = vec2<f32>(near.y + near.w, near.z + near.w) / max(dot(near, vec4<f32>(1.0)), 1.0);
+    let farther = vec2<f32>(far.y + far.w, far.z + far.w) / max(dot(far, vec4<f32>(1.0)), 1.0);
+    let is_flat = all(far == vec4<f32>(0.0));
+    store(p, down || up, select(0.5 * (nearer + farther), vec2<f32>(0.5), is_flat));
 }
 
-// The eight pixels around one: depth by the second difference along each line through it, normals by Sobel's gradient.
+// The eight pixels around one, and one more beyond each: seeds lie on the nearer side of a step. Normals by Sobel's gradient.
 @compute @workgroup_size(8, 8)
 fn sobel(@builtin(global_invocation_id) id: vec3<u32>) {
     let p = vec2<i32>(id.xy);
@@ -94,18 +100,17 @@ fn sobel(@builtin(global_invocation_id) id: vec3<u32>) {
     var outward = vec2<f32>(0.0);
     var across = mat2x3<f32>(vec3<f32>(0.0), vec3<f32>(0.0));
     var is_whole = own.is_mesh;
-    for (var i = 0; i < 4; i++) {
-        let to = vec2<i32>(select(1, i - 1, i < 3), select(0, 1, i < 3));
-        let a = texel(p + to);
-        let b = texel(p - to);
-        let drop = step_of(2.0 * own.flat_depth - a.flat_depth - b.flat_depth, own.depth);
-        let is_step = a.is_mesh && b.is_mesh && drop > thresholds.depth;
-        let a_is_farther = select(a.flat_depth < b.flat_depth, !a.is_mesh, !(a.is_mesh && b.is_mesh));
-        let falls = own.is_mesh && (is_step || a.is_mesh != b.is_mesh);
-        outward += select(vec2<f32>(0.0), select(-vec2<f32>(to), vec2<f32>(to), a_is_farther), falls);
-        is_whole = is_whole && a.is_mesh && b.is_mesh;
+    for (var neighbour = 0; neighbour < 9; neighbour++) {
+        let to = vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
+        if neighbour == 4 {
+            continue;
+        }
+        let other = texel(p + to);
+        let falls = own.is_mesh && other.depth > own.depth && steps(texel(p - to), own, other, texel(p + 2 * to));
+        outward += select(vec2<f32>(0.0), vec2<f32>(to), falls);
+        is_whole = is_whole && other.is_mesh;
         let weight = select(0.25, 0.5, to.x == 0 || to.y == 0);
-        across += weight * mat2x3<f32>(f32(to.x) * (a.normal - b.normal), f32(to.y) * (a.normal - b.normal));
+        across += weight * mat2x3<f32>(f32(to.x) * other.normal, f32(to.y) * other.normal);
     }
     let turn = dot(across[0], across[0]) + dot(across[1], across[1]);
     let is_step = any(outward != vec2<f32>(0.0));

@@ -15,9 +15,9 @@ mod entry;
 
 pub use entry::{Capabilities, Entry, EntryBuilder, FillMethod, LineMethod, Prepared};
 
-use silhouette_baselines::{FineMesh, GbufferFilter, InvertedHull, JumpFlood};
 #[cfg(feature = "simplify")]
 use silhouette_baselines::LodMesh;
+use silhouette_baselines::{FineMesh, GbufferFilter, InvertedHull, JumpFlood};
 use silhouette_core::Method;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
 use silhouette_image_precision::ImagePrecision;

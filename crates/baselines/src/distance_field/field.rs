@@ -55,8 +55,7 @@ impl Field {
         let texture = |label, format| texture(device, label, format, 1, extent.size_px(), usage);
         let records = texture("records of pixels", RECORDS);
         let nearest = ["nearest seeds", "nearest seeds in turn"].map(|label| texture(label, NEAREST));
-        let [records, first, second] =
-            [&records, &nearest[0], &nearest[1]].map(|view| wgpu::BindingResource::TextureView(view));
+        let [records, first, second] = [&records, &nearest[0], &nearest[1]].map(wgpu::BindingResource::TextureView);
         let group = |label, layout, resources: &[_]| bind_group(device, label, layout, resources);
         Self {
             extent,

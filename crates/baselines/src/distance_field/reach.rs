@@ -38,8 +38,11 @@ impl Extent {
     }
 
     /// What added to a pixel of the target is a pixel of the field.
-    pub fn to_field(&self) -> [i32; 2] {
-        self.viewport.origin_px.map(|side| i32::try_from(side).unwrap_or(i32::MAX)).map(|side| self.margin_px as i32 - side)
+    pub fn field_offset(&self) -> [i32; 2] {
+        self.viewport
+            .origin_px
+            .map(|side| i32::try_from(side).unwrap_or(i32::MAX))
+            .map(|side| self.margin_px as i32 - side)
     }
 
     /// The view that draws into the field what `view` draws into the viewport, and what lies around.
@@ -76,7 +79,7 @@ mod tests {
             let [width, height] = extent.size_px();
             assert!(width - 600 == 2 * extent.margin_px && height - 400 == 2 * extent.margin_px);
             assert!(f64::from(extent.margin_px) >= (reach_px + 2.0).min(256.0), "{reach_px}");
-            assert_eq!(extent.to_field(), [extent.margin_px as i32 - 7, extent.margin_px as i32 - 3]);
+            assert_eq!(extent.field_offset(), [extent.margin_px as i32 - 7, extent.margin_px as i32 - 3]);
         }
     }
 }

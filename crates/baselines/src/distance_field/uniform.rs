@@ -46,7 +46,7 @@ impl FieldUniform {
         let size_px = extent.size_px().map(|side| i32::try_from(side).unwrap_or(i32::MAX));
         let lift = if view.is_perspective() { [DEPTH_STEP, 0.0] } else { [0.0, DEPTH_STEP * radius] };
         Self {
-            to_field: extent.to_field(),
+            to_field: extent.field_offset(),
             size_px,
             depth_terms: view.depth_law().depth_of_value_terms().map(|term| term as f32),
             reach: [width.constant_px, width.px_at_depth_1].map(|part| (reach * part) as f32),

@@ -1,9 +1,10 @@
 //! Step 2: seeds where depth steps or normals turn. Stage: `shaders/baselines/discontinuities.wgsl`.
 //!
 //! A pixel that shows the mesh beside one that does not is always part of a line. Between two that show it, the step in depth counts
-//! as far as it exceeds the steps beside it along the same line of pixels. `roberts` puts the seed at the corner between four
-//! pixels; `sobel` half a pixel from the nearer one, towards the farther ones, and at the pixel's middle where normals alone turn,
-//! on either side of a crease.
+//! as far as it exceeds the steps beside it along the same line of pixels. `roberts` puts the seed within the square of four pixels,
+//! between the nearer and the farther ones; `sobel` half a pixel from the nearer one, towards the farther ones, and at the pixel's
+//! middle where normals alone turn, on either side of a crease. Its gradient of normals depends a little on the crease's direction in
+//! the image, so that angles within a tenth of the threshold may count or not.
 
 use super::gbuffer;
 use super::method::{FilteredEdges, GbufferFilterOptions, Operator};

@@ -17,7 +17,9 @@ mod uniform_block;
 mod workgroups;
 mod wound_pipeline;
 
-pub use bindings::{bind_group, bind_layout, buffers_group, storage_entry, storage_texture_entry, texture_entry, uniform_entry};
+pub use bindings::{
+    bind_group, bind_layout, buffers_group, storage_entry, storage_texture_entry, texture_entry, uniform_entry,
+};
 pub use compute_pipeline::compute_pipeline;
 pub use render_stage::RenderStage;
 pub use storage_buffer::storage_buffer;
