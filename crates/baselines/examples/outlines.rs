@@ -47,8 +47,8 @@ fn pictures(app: &Application) -> Result<[(&'static str, Vec<u8>); 3], Failure> 
     let filter = GbufferFilterOptions { width: 3.0, ..GbufferFilterOptions::default() };
     let flood = JumpFloodOptions { width: 10.0, ink_red: 0.9, ink_green: 0.4, ..JumpFloodOptions::default() };
     Ok([
-        ("inverted-hull", app.draw_each::<InvertedHull>(hull)?),
-        ("gbuffer-filter", app.draw_each::<GbufferFilter>(filter)?),
+        ("inverted-hull", app.draw_each::<InvertedHull>(&hull)?),
+        ("gbuffer-filter", app.draw_each::<GbufferFilter>(&filter)?),
         ("jump-flood", app.draw_group(flood)?),
     ])
 }
@@ -92,7 +92,7 @@ impl Application {
     }
 
     /// Draws each object by a renderer of its own.
-    fn draw_each<M: DrawsLines>(&self, options: M::Options) -> Result<Vec<u8>, Failure> {
+    fn draw_each<M: DrawsLines>(&self, options: &M::Options) -> Result<Vec<u8>, Failure> {
         let mut pipelines = None;
         let mut renderers = Vec::new();
         for ((mesh, buffers), model) in self.objects.iter().zip(&self.models) {
