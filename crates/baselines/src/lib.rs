@@ -48,6 +48,8 @@ pub mod gbuffer_filter;
 pub mod inverted_hull;
 pub mod jump_flood;
 mod line_options;
+#[cfg(feature = "gpu")]
+mod line_style;
 #[cfg(feature = "simplify")]
 mod lod_chain;
 #[cfg(feature = "simplify")]

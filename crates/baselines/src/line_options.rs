@@ -1,21 +1,7 @@
 //! What the line methods of this crate share of their options: width, ink and interior.
 
-use silhouette_core::line_style::{InteriorChoice, LineWidth};
-
-/// Width, ink and interior of a method's lines.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct LineStyle {
-    /// How wide lines are.
-    pub width: LineWidth,
-    /// sRGB as displayed.
-    pub ink: [f64; 3],
-    /// Opacity of the ink.
-    pub ink_alpha: f64,
-    /// What is drawn where the mesh is.
-    pub interior: InteriorChoice,
-}
-
-/// The options struct of a method that draws lines: its own fields, then those that all have; and `line_style`, what they come to.
+/// The options struct of a method that draws lines: its own fields, then those that all have; with feature `gpu` also `line_style`,
+/// what the latter come to.
 macro_rules! line_method_options {
     ($(#[$meta:meta])* $vis:vis struct $options:ident { $($own:tt)* }) => {
         silhouette_core::method_options! {
@@ -42,17 +28,20 @@ macro_rules! line_method_options {
             }
         }
 
+        #[cfg(feature = "gpu")]
         impl $options {
             /// Width, ink and interior.
-            pub(crate) fn line_style(&self) -> crate::line_options::LineStyle {
-                crate::line_options::LineStyle {
+            pub(crate) fn line_style(&self) -> crate::line_style::LineStyle {
+                crate::line_style::LineStyle {
                     width: silhouette_core::line_style::LineWidth {
                         value: self.width,
                         unit: self.width_unit.with_dpi(self.dpi),
                         thins_beyond_radii: None,
                     },
-                    ink: [self.ink_red, self.ink_green, self.ink_blue],
-                    ink_alpha: self.ink_alpha,
+                    ink: silhouette_gpu::Color {
+                        srgb: [self.ink_red, self.ink_green, self.ink_blue],
+                        alpha: self.ink_alpha,
+                    },
                     interior: self.interior,
                 }
             }
@@ -60,38 +49,3 @@ macro_rules! line_method_options {
     };
 }
 pub(crate) use line_method_options;
-
-#[cfg(feature = "gpu")]
-mod gpu {
-    use super::LineStyle;
-    use silhouette_core::line_style::InteriorChoice;
-    use silhouette_gpu::{Color, Cull, FillPipelines, FillStyle, TargetFormats};
-    use std::sync::Arc;
-
-    impl LineStyle {
-        /// The ink as a target takes it.
-        pub fn ink_for(&self, formats: &TargetFormats) -> [f32; 4] {
-            Color { srgb: self.ink, alpha: self.ink_alpha }.for_target(formats)
-        }
-
-        /// How ink joins what the target holds.
-        pub fn blend(&self) -> Option<wgpu::BlendState> {
-            (self.ink_alpha < 1.0).then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)
-        }
-
-        /// What fills the mesh, without the faces that `cull` says; `None` where nothing does.
-        pub fn interior(
-            &self,
-            device: &wgpu::Device,
-            formats: TargetFormats,
-            cull: Cull,
-        ) -> Option<Arc<FillPipelines>> {
-            let style = match self.interior {
-                InteriorChoice::Paper => FillStyle { cull, ..FillStyle::PAPER },
-                InteriorChoice::DepthOnly => FillStyle { cull, ..FillStyle::DEPTH },
-                InteriorChoice::None => return None,
-            };
-            Some(Arc::new(FillPipelines::new(device, formats, style)))
-        }
-    }
-}

@@ -15,5 +15,7 @@ mod uniform;
 pub(crate) use field::{Field, FieldLayouts, check_size};
 pub(crate) use flood::FloodStage;
 pub(crate) use offscreen::{OFFSCREEN_DEPTH, Offscreen};
-pub(crate) use reach::{Extent, nearest_depth, widest_px};
+#[cfg(feature = "simplify")]
+pub(crate) use reach::nearest_depth;
+pub(crate) use reach::{Extent, widest_px};
 pub(crate) use uniform::{FieldUniform, Rim};

@@ -134,7 +134,7 @@ impl FrameRenderer for GbufferFilterRenderer {
         );
         self.thresholds.write(queue, &ThresholdsUniform::new(&self.options, view, radius));
         let uniform = FieldUniform::new(view, radius, &extent, &width, 0.5, &formats);
-        let uniform = uniform.with_ink(style.ink_for(&formats), Rim::Samples);
+        let uniform = uniform.with_ink(style.ink.for_target(&formats), Rim::Samples);
         self.binding.write(queue, &CameraUniform::new(DMat4::IDENTITY), &uniform);
         if let Some(interior) = &mut self.interior {
             interior.prepare(device, queue, view)?;

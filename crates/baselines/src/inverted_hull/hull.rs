@@ -50,7 +50,7 @@ impl HullUniform {
         Self {
             outward: columns(outward(shape)),
             shape: columns(shape),
-            ink: style.ink_for(formats),
+            ink: style.ink.for_target(formats),
             viewport_px: view.viewport().size_px.map(|side| side as f32),
             reach: [width.constant_px as f32, (width.px_at_depth_1 / depth_per_w) as f32],
             px_per_unit: px_per_unit as f32,

@@ -52,6 +52,7 @@ line_method_options! {
 /// is everything from inside a closed one. Parts thinner than the push, and concave ones, show ink of the far side of the hull.
 #[derive(Debug, Clone)]
 pub struct InvertedHull {
+    #[cfg_attr(not(feature = "gpu"), allow(dead_code, reason = "what options are for is on the device"))]
     pub(super) options: InvertedHullOptions,
     pub(super) normals: Option<Arc<OutlineNormals>>,
 }

@@ -146,7 +146,7 @@ impl JumpFloodGroup {
             Antialiasing::Coverage => Rim::Smooth,
         };
         let uniform = FieldUniform::new(view, radius, &extent, &width, 1.0, &formats);
-        let uniform = uniform.with_ink(style.ink_for(&formats), rim);
+        let uniform = uniform.with_ink(style.ink.for_target(&formats), rim);
         self.binding.write(queue, &CameraUniform::new(DMat4::IDENTITY), &uniform);
         self.viewport = Some(view.viewport());
         Ok(())
