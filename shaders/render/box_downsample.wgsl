@@ -1,6 +1,6 @@
 // Averages n x n samples into one pixel. Twin of the uniform: crates/render/src/reference/box_downsample.rs
 
-#import "render/full_screen.wgsl"
+#import "shared/full_screen.wgsl"
 
 struct BoxUniform {
     samples_per_side: u32,

@@ -1,6 +1,6 @@
 // Copies a depth buffer of any format into 32-bit floats. Twin: crates/render/src/depth_readback.rs
 
-#import "render/full_screen.wgsl"
+#import "shared/full_screen.wgsl"
 
 @group(0) @binding(0) var source: texture_depth_2d;
 

@@ -20,6 +20,7 @@ silhouette_core::method_options! {
 /// Prepares nothing; O(F) per view on the device.
 #[derive(Debug, Clone)]
 pub struct FineMesh {
+    #[cfg_attr(not(feature = "gpu"), allow(dead_code, reason = "what options are for is on the device"))]
     options: FineMeshOptions,
 }
 

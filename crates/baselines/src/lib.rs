@@ -1,10 +1,55 @@
-//! What published methods are measured against.
+//! What published methods are measured against: the mesh itself, and the outlines that engines ship.
 //!
-//! [`FineMesh`]: the mesh itself, rasterised. A method that fills the outline of a coarse mesh as a finer one would have it is
-//! compared with that finer mesh, drawn by this. [`LodMesh`] (cargo feature `simplify`): a chain of simplified meshes, one of
-//! which is chosen for each view, as engines do.
+//! | method | draws | ink lies | lines inside of the outline | cost of a wide line |
+//! |---|---|---|---|---|
+//! | [`InvertedHull`] | the mesh's back faces, pushed outwards | outside | where a part stands before another | none |
+//! | [`GbufferFilter`] | steps in depth and turns of normals that a filter finds | on both sides | the same, from a threshold on | one pass per doubling |
+//! | [`JumpFlood`] | what lies around an object, or around each object of a group | outside | none | one pass per doubling |
+//! | [`FineMesh`] | the mesh itself, rasterised: what a filled outline of a coarse mesh is compared with | | | |
+//! | [`LodMesh`] (feature `simplify`) | a level of a chain of simplified meshes, chosen for each view | | | |
+//!
+//! The first three draw into a render pass of the application's, by the convention of `silhouette-gpu` (feature `gpu`), with the same
+//! options for width, ink and interior:
+//!
+//! ```no_run
+//! # #[cfg(feature = "gpu")]
+//! # fn outline(
+//! #     device: &wgpu::Device, queue: &wgpu::Queue, formats: silhouette_gpu::TargetFormats, view: &silhouette_gpu::FrameView,
+//! #     mesh: silhouette_core::TriangleMesh, encoder: &mut wgpu::CommandEncoder, descriptor: &wgpu::RenderPassDescriptor<'_>,
+//! # ) -> Result<(), Box<dyn std::error::Error>> {
+//! use silhouette_baselines::{InvertedHull, InvertedHullOptions};
+//! use silhouette_core::line_style::InteriorChoice;
+//! use silhouette_core::{Method, PreparedMesh};
+//! use silhouette_gpu::{DrawsLines, FrameRenderer, MeshBuffers};
+//! use std::sync::Arc;
+//!
+//! // Once per mesh. The application shades the mesh itself, so that no interior is drawn.
+//! let options = InvertedHullOptions { width: 3.0, interior: InteriorChoice::None, ..InvertedHullOptions::default() };
+//! let buffers = Arc::new(MeshBuffers::new(device, queue, &mesh)?);
+//! let method = InvertedHull::new(&Arc::new(PreparedMesh::new(mesh)), options)?;
+//! let pipelines = Arc::new(method.pipelines(device, formats)?);
+//! let mut renderer = method.renderer(device, queue, &pipelines, &buffers)?;
+//!
+//! // Once per frame.
+//! renderer.prepare(device, queue, view)?;
+//! renderer.encode(encoder);
+//! let mut pass = encoder.begin_render_pass(descriptor);
+//! renderer.draw(&mut pass);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The example `outlines` is a whole application. What each costs and leaves out stands with its type.
 
+#[cfg(feature = "gpu")]
+mod distance_field;
 mod fine_mesh;
+pub mod gbuffer_filter;
+pub mod inverted_hull;
+pub mod jump_flood;
+mod line_options;
+#[cfg(feature = "gpu")]
+mod line_style;
 #[cfg(feature = "simplify")]
 mod lod_chain;
 #[cfg(feature = "simplify")]
@@ -14,6 +59,9 @@ mod lod_renderer;
 mod shading;
 
 pub use fine_mesh::{FineMesh, FineMeshOptions};
+pub use gbuffer_filter::{GbufferFilter, GbufferFilterOptions};
+pub use inverted_hull::{InvertedHull, InvertedHullOptions};
+pub use jump_flood::{JumpFlood, JumpFloodOptions};
 #[cfg(feature = "simplify")]
 pub use lod_chain::LodLevel;
 #[cfg(feature = "simplify")]

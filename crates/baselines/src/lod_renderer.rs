@@ -1,8 +1,8 @@
 //! [`LodRenderer`]: chooses a level for each view, and draws it.
 
+use crate::distance_field::nearest_depth;
 use crate::lod_chain::LodLevel;
 use crate::lod_mesh::{LodMesh, level_at};
-use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_gpu::{
     FillPipelines, FillRenderer, FillsImage, FrameRenderer, FrameView, MeshBuffers, RendererError, TargetFormats,
@@ -73,12 +73,7 @@ impl FrameRenderer for LodRenderer {
 /// The most pixels that a unit of the mesh's own space covers across the view, anywhere in a box in front of the near plane:
 /// at the depth of its nearest corner.
 fn largest_px_per_unit(view: &FrameView, bounds: &Bounds) -> f64 {
-    let corner = |index: u32| {
-        let side = |axis: usize| if index & (1 << axis) == 0 { bounds.min[axis] } else { bounds.max[axis] };
-        view.depth(DVec3::new(side(0), side(1), side(2)))
-    };
-    let nearest = (0..8).map(corner).fold(f64::INFINITY, f64::min);
-    view.pixels_per_unit(nearest.max(view.depth_law().range().near)) * view.largest_scale()
+    view.pixels_per_unit(nearest_depth(view, bounds)) * view.largest_scale()
 }
 
 #[cfg(test)]

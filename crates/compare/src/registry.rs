@@ -15,9 +15,9 @@ mod entry;
 
 pub use entry::{Capabilities, Entry, EntryBuilder, FillMethod, LineMethod, Prepared};
 
-use silhouette_baselines::FineMesh;
 #[cfg(feature = "simplify")]
 use silhouette_baselines::LodMesh;
+use silhouette_baselines::{FineMesh, GbufferFilter, InvertedHull, JumpFlood};
 use silhouette_core::Method;
 use silhouette_edge_mesh::EdgeMesh;
 use silhouette_extraction::{BruteForce, BruteForceSimd, ClusterCones, Randomized};
@@ -60,6 +60,9 @@ impl Registry {
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<EdgeMesh>().edges().lines())
             .with(Entry::of::<FineMesh>().fill())
+            .with(Entry::of::<InvertedHull>().lines())
+            .with(Entry::of::<GbufferFilter>().lines())
+            .with(Entry::of::<JumpFlood>().lines())
             .with(Entry::of::<Smoothing>().curves().fill().triangles())
             .with(Entry::of::<InterpolatedContours>().curves())
             .with(Entry::of::<BoundaryCurve>().curves().fill().triangles())

@@ -31,6 +31,16 @@ pub enum RendererError {
         /// What the renderer draws, in the plural.
         what: &'static str,
     },
+    /// There are more of something than the textures of a renderer can hold.
+    #[error("{count} {what}; at most {limit} can be drawn together")]
+    TooMany {
+        /// What there are too many of, in the plural.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        limit: usize,
+    },
     /// The options need a feature that the device was made without.
     #[error("{what} needs the adapter feature {feature}, which this device lacks; {instead}")]
     MissingFeature {

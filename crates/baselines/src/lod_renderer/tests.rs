@@ -4,7 +4,7 @@ use super::*;
 use crate::lod_mesh::LodMeshOptions;
 use crate::shading::Shading;
 use crate::{FineMesh, FineMeshOptions};
-use silhouette_core::glam::{DMat4, Vec3};
+use silhouette_core::glam::{DMat4, DVec3, Vec3};
 use silhouette_core::method::Method;
 use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{PreparedMesh, TriangleMesh};

@@ -30,6 +30,21 @@ pub fn texture_entry(binding: u32, sample_type: wgpu::TextureSampleType, multisa
     }
 }
 
+/// Entry of a two-dimensional texture that compute stages write. The formats that every device of WebGPU can write are listed in
+/// its specification, section "Plain color formats".
+pub fn storage_texture_entry(binding: u32, format: wgpu::TextureFormat) -> BindGroupLayoutEntry {
+    BindGroupLayoutEntry {
+        binding,
+        visibility: ShaderStages::COMPUTE,
+        ty: BindingType::StorageTexture {
+            access: wgpu::StorageTextureAccess::WriteOnly,
+            format,
+            view_dimension: wgpu::TextureViewDimension::D2,
+        },
+        count: None,
+    }
+}
+
 /// The layout of a bind group with these entries.
 pub fn bind_layout(device: &wgpu::Device, label: &str, entries: &[BindGroupLayoutEntry]) -> wgpu::BindGroupLayout {
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })

@@ -6,7 +6,7 @@
 //!
 //! - [`RenderStage`] describes a render pipeline as far as it differs from the simplest one; [`compute_pipeline`] makes a compute
 //!   pipeline, and [`workgroups`] counts what to dispatch. [`WoundPipeline`] culls in views that mirror as in others.
-//! - [`bind_layout`] with [`uniform_entry`], [`storage_entry`] and [`texture_entry`]; [`bind_group`] and [`buffers_group`].
+//! - [`bind_layout`] with [`uniform_entry`], [`storage_entry`], [`texture_entry`] and [`storage_texture_entry`]; [`bind_group`] and [`buffers_group`].
 //! - [`UniformBlock`], a uniform buffer of one Rust type; [`storage_buffer`], checked against the device's limits.
 
 mod bindings;
@@ -17,7 +17,9 @@ mod uniform_block;
 mod workgroups;
 mod wound_pipeline;
 
-pub use bindings::{bind_group, bind_layout, buffers_group, storage_entry, texture_entry, uniform_entry};
+pub use bindings::{
+    bind_group, bind_layout, buffers_group, storage_entry, storage_texture_entry, texture_entry, uniform_entry,
+};
 pub use compute_pipeline::compute_pipeline;
 pub use render_stage::RenderStage;
 pub use storage_buffer::storage_buffer;

@@ -1,0 +1,104 @@
+// Seeds on the borders of objects, where each stands before another or before the ground.
+// Twin: crates/baselines/src/jump_flood/border_seeds.rs
+
+#import "baselines/field.wgsl"
+
+@group(1) @binding(0) var objects: texture_multisampled_2d<u32>;
+@group(1) @binding(1) var depths: texture_depth_multisampled_2d;
+@group(2) @binding(0) var records: texture_storage_2d<rg32uint, write>;
+@group(2) @binding(1) var nearest: texture_storage_2d<r32uint, write>;
+
+const SAMPLES: i32 = 4;
+// Where WebGPU has the samples of a pixel, from its middle.
+const SAMPLE_PLACES = array<vec2<f32>, 4>(
+    vec2<f32>(-0.125, -0.375),
+    vec2<f32>(0.375, -0.125),
+    vec2<f32>(-0.375, 0.125),
+    vec2<f32>(0.125, 0.375),
+);
+
+// The point of a border nearest to the middle of a square, from there, in sides of the square: `inward` points to the covered side,
+// and `coverage` of the square lies there. Stefan Gustavson and Robin Strand, "Anti-aliased Euclidean distance transform", Pattern
+// Recognition Letters 2011.
+fn border_place(inward: vec2<f32>, coverage: f32) -> vec2<f32> {
+    let size = length(inward);
+    if size < 1e-4 {
+        return vec2<f32>(0.0);
+    }
+    let direction = inward / size;
+    let more = max(abs(direction.x), abs(direction.y));
+    let less = min(abs(direction.x), abs(direction.y));
+    // Up to this coverage the border cuts off a corner.
+    let corner = 0.5 * less / more;
+    let outside = min(coverage, 1.0 - coverage);
+    var away = (0.5 - outside) * more;
+    if outside < corner {
+        away = 0.5 * (more + less) - sqrt(2.0 * more * less * outside);
+    }
+    return direction * select(-away, away, coverage < 0.5);
+}
+
+// Of a border that runs through a pixel, half of the diagonal.
+const FARTHEST_PLACE_PX: f32 = 0.7071;
+
+@compute @workgroup_size(8, 8)
+fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
+    let pixel = vec2<i32>(id.xy);
+    if !is_in_field(pixel) {
+        return;
+    }
+    // The object in front within the pixel.
+    var object = 0u;
+    var depth = 0.0;
+    for (var i = 0; i < SAMPLES; i++) {
+        let other = textureLoad(objects, pixel, i).x;
+        let other_depth = depth_of_value(textureLoad(depths, pixel, i));
+        if other != 0u && (object == 0u || is_before(other_depth, other, depth, object)) {
+            object = other;
+            depth = other_depth;
+        }
+    }
+    if object == 0u {
+        textureStore(records, pixel, vec4<u32>(0u));
+        textureStore(nearest, pixel, vec4<u32>(NONE, 0u, 0u, 0u));
+        return;
+    }
+    var covered = 0;
+    var around = 0;
+    var farthest = depth;
+    var inward = vec2<f32>(0.0);
+    var stands_beside = false;
+    for (var neighbour = 0; neighbour < 9; neighbour++) {
+        let to = vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
+        if !is_in_field(pixel + to) {
+            continue;
+        }
+        var same = 0;
+        var stands_before = false;
+        for (var i = 0; i < SAMPLES; i++) {
+            let other = textureLoad(objects, pixel + to, i).x;
+            let other_depth = depth_of_value(textureLoad(depths, pixel + to, i));
+            if other == object {
+                same += 1;
+                farthest = max(farthest, other_depth);
+                inward += vec2<f32>(to) + SAMPLE_PLACES[i];
+            } else if other == 0u || is_before(depth, object, other_depth, other) {
+                stands_before = true;
+            }
+        }
+        // Where a pixel that the object covers in part lies between, the border runs there.
+        stands_beside |= same == 0 && stands_before && abs(to.x) + abs(to.y) == 1;
+        covered += select(0, same, neighbour == 4);
+        around += same;
+    }
+    let is_covered = covered == SAMPLES;
+    let is_border = !is_covered || stands_beside;
+    let flags = select(0u, COVERED, is_covered) | select(0u, SEED, is_border);
+    // The nine pixels as one square: its 36 samples place a border better than four do. It runs through the pixel in their middle.
+    let place = 3.0 * border_place(inward, f32(around) / f32(9 * SAMPLES));
+    let within = place * min(FARTHEST_PLACE_PX / max(length(place), 1e-6), 1.0);
+    // The ink of a seed lies behind the object itself; other pixels say what ink must be nearer than.
+    let record = packed_record(select(depth, farthest, is_border), object, flags, within);
+    textureStore(records, pixel, vec4<u32>(record, 0u, 0u));
+    textureStore(nearest, pixel, vec4<u32>(select(NONE, packed_pixel(pixel), is_border), 0u, 0u, 0u));
+}

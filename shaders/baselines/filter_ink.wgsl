@@ -1,0 +1,29 @@
+// Ink along discontinuities, as wide as asked. Twin: crates/baselines/src/gbuffer_filter/filter_ink.rs
+
+#import "shared/full_screen.wgsl"
+#import "baselines/field.wgsl"
+#import "baselines/rim.wgsl"
+
+@group(1) @binding(0) var records: texture_2d<u32>;
+@group(1) @binding(1) var nearest: texture_2d<u32>;
+
+@fragment
+fn filter_ink(@builtin(position) position: vec4<f32>) -> Inked {
+    let pixel = vec2<i32>(position.xy) + field.to_field;
+    let known = textureLoad(nearest, pixel, 0).x;
+    if known == NONE {
+        discard;
+    }
+    let at = unpacked_pixel(known);
+    let record = textureLoad(records, at, 0).xy;
+    let depth = depth_of(record);
+    // The middle of a pixel is up to half a pixel beside the nearest seed of a line, along the line.
+    let half_px = field.reach.x + field.reach.y / depth;
+    let reach_px = sqrt(half_px * half_px + 0.25);
+    let own_depth = depth_of(textureLoad(records, pixel, 0).xy);
+    let ink = inked(pixel, seed_of(at, record), reach_px, min(depth, own_depth) - lift_at(depth));
+    if ink.samples == 0u || !(half_px > 0.0) {
+        discard;
+    }
+    return ink;
+}

@@ -1,0 +1,40 @@
+// One step of jump flooding: each pixel takes the nearest of the seeds that it and eight pixels around it, a step away, know.
+// Twin: crates/baselines/src/distance_field/flood.rs
+
+#import "baselines/field.wgsl"
+
+@group(1) @binding(0) var records: texture_2d<u32>;
+@group(1) @binding(1) var nearest: texture_2d<u32>;
+@group(1) @binding(2) var flooded: texture_storage_2d<r32uint, write>;
+@group(2) @binding(0) var<uniform> step_px: vec4<i32>;
+
+@compute @workgroup_size(8, 8)
+fn flood(@builtin(global_invocation_id) id: vec3<u32>) {
+    let pixel = vec2<i32>(id.xy);
+    if !is_in_field(pixel) {
+        return;
+    }
+    let own = textureLoad(records, pixel, 0).xy;
+    let middle = vec2<f32>(pixel) + 0.5;
+    var found = NONE;
+    var found_px = 1e30;
+    for (var neighbour = 0; neighbour < 9; neighbour++) {
+        let from_pixel = pixel + step_px.x * vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
+        if !is_in_field(from_pixel) {
+            continue;
+        }
+        let known = textureLoad(nearest, from_pixel, 0).x;
+        if known == NONE {
+            continue;
+        }
+        let at = unpacked_pixel(known);
+        let record = textureLoad(records, at, 0).xy;
+        let away_px = distance(middle, seed_of(at, record));
+        // A pixel keeps its own seed, so that others learn of it, whether or not its ink may lie there.
+        if away_px < found_px && (all(at == pixel) || accepts(own, record)) {
+            found = known;
+            found_px = away_px;
+        }
+    }
+    textureStore(flooded, pixel, vec4<u32>(found, 0u, 0u, 0u));
+}
