@@ -1,6 +1,7 @@
 //! How the measurement for a paper fails.
 
 use silhouette_compare::drawing::DrawError;
+use silhouette_compare::registry::UnknownMethod;
 use silhouette_compare::truth::TruthError;
 use silhouette_compare::truth::fill::FillTruthError;
 use silhouette_core::Cancelled;
@@ -40,6 +41,9 @@ pub enum Cause {
     /// A built-in shape could not be made.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// The registry lacks a method that the paper is measured beside.
+    #[error(transparent)]
+    Method(#[from] UnknownMethod),
     /// No thread could be started.
     #[error(transparent)]
     Threads(#[from] rayon::ThreadPoolBuildError),

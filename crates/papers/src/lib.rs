@@ -43,6 +43,7 @@ pub mod table;
 pub mod terminal;
 pub mod wang_2008;
 pub mod wu_2006;
+pub mod zink;
 
 pub use error::{Cause, PaperError};
 pub use figure::Figure;
@@ -52,7 +53,8 @@ pub use picture::Picture;
 pub use table::{Cell, Column, Comparable, Range, Row, Table};
 
 /// Every paper, in the order of publication. To add one, add a line.
-pub static ALL: [&Paper; 4] = [&raskar_cohen_1999::PAPER, &hall_2003::PAPER, &wu_2006::PAPER, &wang_2008::PAPER];
+pub static ALL: [&Paper; 5] =
+    [&raskar_cohen_1999::PAPER, &hall_2003::PAPER, &wu_2006::PAPER, &zink::PAPER, &wang_2008::PAPER];
 
 /// The paper of this [name](Paper::name).
 pub fn find(name: &str) -> Option<&'static Paper> {

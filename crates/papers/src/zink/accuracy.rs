@@ -37,13 +37,7 @@ pub fn by_mesh(gpu: &Gpu, run: &Run<'_>, views: u32, size: [u32; 2]) -> Result<V
     run.meshes.iter().chain(&hard_edges).map(of).collect()
 }
 
-fn of_mesh(
-    gpu: &Gpu,
-    named: &NamedMesh,
-    views: u32,
-    size: [u32; 2],
-    progress: &dyn Progress,
-) -> Result<Table, Cause> {
+fn of_mesh(gpu: &Gpu, named: &NamedMesh, views: u32, size: [u32; 2], progress: &dyn Progress) -> Result<Table, Cause> {
     progress.stage(&format!("{}: lines", named.name), METHODS.len() as u64);
     let mut views = views_of(&named.mesh, views, size, progress)?;
     let mut rows = Vec::new();
@@ -68,12 +62,7 @@ struct View {
     pens: HashMap<PenPlacement, Ink>,
 }
 
-fn views_of(
-    mesh: &Arc<PreparedMesh>,
-    count: u32,
-    size: [u32; 2],
-    progress: &dyn Progress,
-) -> Result<Vec<View>, Cause> {
+fn views_of(mesh: &Arc<PreparedMesh>, count: u32, size: [u32; 2], progress: &dyn Progress) -> Result<Vec<View>, Cause> {
     let mut finder = TruthFinder::new(mesh, progress)?;
     let view = |direction| -> Result<View, Cause> {
         let camera = camera(mesh.mesh(), direction, FOV_Y_RAD, size)?;
@@ -108,7 +97,10 @@ fn columns() -> Vec<Column> {
     vec![
         percent("missed", "missed at 1 px", "visible length without ink within 1 px"),
         percent("spurious", "spurious at 1 px", "ink farther than 1 px from the true pen"),
-        Column { digits: 1, ..percent("closed", "closed corners", "corners at which the pen's join is inked altogether") },
+        Column {
+            digits: 1,
+            ..percent("closed", "closed corners", "corners at which the pen's join is inked altogether")
+        },
         Column::new("width", "mean width", "px", "mean width of the drawn lines where they are drawn"),
         Column::new("deviation", "deviation of width", "px", "standard deviation of that width"),
         Column::new("gaps", "gaps", "per 1000 px", "stretches longer than 1 px without ink"),

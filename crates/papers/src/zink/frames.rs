@@ -35,13 +35,7 @@ pub fn by_mesh(
     run.meshes.iter().chain(&largest).map(of).collect()
 }
 
-fn of_mesh(
-    gpu: &Gpu,
-    named: &NamedMesh,
-    rounds: u32,
-    size: [u32; 2],
-    progress: &dyn Progress,
-) -> Result<Table, Cause> {
+fn of_mesh(gpu: &Gpu, named: &NamedMesh, rounds: u32, size: [u32; 2], progress: &dyn Progress) -> Result<Table, Cause> {
     progress.stage(&format!("{}: frames", named.name), 1);
     let mesh = &named.mesh;
     let plain: Entry = Entry::of::<FineMesh>().fill().into();
@@ -59,10 +53,21 @@ fn of_mesh(
     Ok(Table {
         name: "frames",
         subject: named.name.clone(),
-        about: format!("{} faces, {} x {} pixels, drawn by {}", mesh.mesh().face_count(), size[0], size[1], gpu.adapter().name),
+        about: format!(
+            "{} faces, {} x {} pixels, drawn by {}",
+            mesh.mesh().face_count(),
+            size[0],
+            size[1],
+            gpu.adapter().name
+        ),
         columns: vec![
             Column::new("frame", "frame time", "ms", "median time of a frame, from the camera to a finished picture"),
-            Column::new("over plain", "frame time over plain rendering", "×", "over that of plain rendering in the same run"),
+            Column::new(
+                "over plain",
+                "frame time over plain rendering",
+                "×",
+                "over that of plain rendering in the same run",
+            ),
         ],
         rows: labels.zip(times).map(row).collect(),
         ..Table::default()

@@ -1,4 +1,4 @@
-//! J. Zink, "Fast silhouette rendering" (an article on gamedev.net): an edge mesh, in numbers that the article does not print.
+//! J. Zink, "Fast Silhouettes", GameDev.net 2006: an edge mesh, in numbers that the article does not print.
 //!
 //! The article has no table. It says that the method is fast, and gives the arithmetic; what follows from both is measured, on
 //! the meshes that are named and on a set of hard edges, beside what engines ship for outlines.
@@ -53,9 +53,7 @@ impl Extent {
     fn of(profile: Profile) -> Self {
         match profile {
             Profile::Quick => Self { views: 3, rounds: 5, heights: &[256, 512, 1024], largest: None },
-            Profile::Full => {
-                Self { views: 8, rounds: 9, heights: &[512, 1024, 4096], largest: Some("blob:1100000") }
-            }
+            Profile::Full => Self { views: 8, rounds: 9, heights: &[512, 1024, 4096], largest: Some("blob:1100000") },
         }
     }
 }

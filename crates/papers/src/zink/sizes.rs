@@ -23,11 +23,14 @@ fn of_mesh(named: &NamedMesh, progress: &dyn Progress) -> Result<Table, Cause> {
     let edges = named.mesh.artefact::<Topology>("sizes", progress)?.edge_count() as f64;
     let faces = mesh.face_count() as f64;
     let mesh_bytes = 12.0 * (mesh.vertex_count() as f64 + faces);
-    let article = [VERTICES_PER_EDGE, TRIANGLES_PER_EDGE, VERTICES_PER_EDGE * VERTEX_BYTES].map(|per_edge| per_edge as f64);
+    let article =
+        [VERTICES_PER_EDGE, TRIANGLES_PER_EDGE, VERTICES_PER_EDGE * VERTEX_BYTES].map(|per_edge| per_edge as f64);
     let row = |label: &str, cells: [Cell; 4]| Row::new(label, cells.to_vec());
     let [vertices, triangles, bytes] = article;
     let printed = |per_face: f64, on_closed: f64| {
-        Cell::one(per_face).beside(Some(on_closed), Comparable::Yes).noted("printed for closed meshes, which have 1.5 edges per face")
+        Cell::one(per_face)
+            .beside(Some(on_closed), Comparable::Yes)
+            .noted("printed for closed meshes, which have 1.5 edges per face")
     };
     let ours = edge_mesh.bytes_per_edge();
     let rows = vec![
@@ -45,12 +48,28 @@ fn of_mesh(named: &NamedMesh, progress: &dyn Progress) -> Result<Table, Cause> {
     Ok(Table {
         name: "sizes",
         subject: named.name.clone(),
-        about: format!("{faces:.0} faces and {edges:.0} edges; positions and triangles take {:.2} MiB", mesh_bytes / 1_048_576.0),
+        about: format!(
+            "{faces:.0} faces and {edges:.0} edges; positions and triangles take {:.2} MiB",
+            mesh_bytes / 1_048_576.0
+        ),
         columns: vec![
-            Column::new("vertices", "vertices per face", "", "vertices of the edge mesh per face of the mesh; ours fetches records"),
+            Column::new(
+                "vertices",
+                "vertices per face",
+                "",
+                "vertices of the edge mesh per face of the mesh; ours fetches records",
+            ),
             Column::new("triangles", "triangles per face", "", "triangles of the edge mesh per face of the mesh"),
-            Column { digits: 1, ..Column::new("bytes", "bytes per edge", "B", "memory per edge, without the positions of the mesh") },
-            Column::new("over mesh", "bytes over mesh", "×", "memory over that of positions and triangles, 12 bytes each"),
+            Column {
+                digits: 1,
+                ..Column::new("bytes", "bytes per edge", "B", "memory per edge, without the positions of the mesh")
+            },
+            Column::new(
+                "over mesh",
+                "bytes over mesh",
+                "×",
+                "memory over that of positions and triangles, 12 bytes each",
+            ),
         ],
         rows,
         ..Table::default()

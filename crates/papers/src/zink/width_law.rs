@@ -3,7 +3,9 @@
 //! The article moves the vertices of an edge by `EXTEND` times their distance from the eye along the normals of its two faces, so that
 //! across the edge, in the direction s of the image plane, its line is as wide as the sum of both normals' shares along s. In pixels
 //! that is EXTEND * f * distance / depth * (|N_F . s| + |N_B . s|), where f is the focal length in pixels: a share of the picture's
-//! height that falls with the field of view, at most 2 EXTEND f where the surface is smooth, less where the edge is sharp.
+//! height that falls with the field of view, at most 2 EXTEND f where the surface is smooth, less where the edge is sharp. The half on
+//! the side of the front face lies behind that face, which bulges towards the viewer by more than the line is moved, so that where
+//! the mesh is drawn about half of the width remains: the share of N_F, which points outwards.
 
 use super::methods::{AS_PRINTED, COMPACTED, Drawn};
 use super::printed::EXTEND;
@@ -50,7 +52,12 @@ pub fn measure(gpu: &Gpu, run: &Run<'_>, heights: &[u32]) -> Result<Table, Paper
         subject: named.name.clone(),
         about: format!("the article's lines as they come out, and ours, asked for {ASKED_PERCENT} % of the height"),
         columns: vec![
-            px("derived", "width as printed, derived", "mean of the law over the visible lines"),
+            px("law", "width as printed, derived", "mean of the law over the visible lines"),
+            px(
+                "outside",
+                "width outside as printed, derived",
+                "mean of the part of the law that lies outside of the front face",
+            ),
             px("drawn", "width as printed, drawn", "mean width in the picture"),
             percent("of height", "width as printed, of the height", "drawn width over the height of the picture"),
             px("ours", "width, drawn", "mean width in the picture"),
@@ -66,7 +73,7 @@ fn row(gpu: &Gpu, mesh: &Arc<PreparedMesh>, height: u32, fov_deg: f64, progress:
     let camera = camera(mesh.mesh(), direction, fov_deg.to_radians(), [height; 2])?;
     let truth = TruthFinder::new(mesh, progress)?.find(&camera, progress)?;
     let topology = mesh.artefact::<Topology>("width law", progress)?;
-    let derived = law_px(mesh.mesh(), &topology, &camera, &truth);
+    let [derived, outside] = law_px(mesh.mesh(), &topology, &camera, &truth);
     let drawn = |drawn: Drawn, words: &str| -> Result<f64, Cause> {
         let mut drawing = drawn.drawing(gpu, mesh, words, camera.size(), progress)?;
         drawing.draw(gpu, &camera)?;
@@ -78,30 +85,31 @@ fn row(gpu: &Gpu, mesh: &Arc<PreparedMesh>, height: u32, fov_deg: f64, progress:
     let printed = drawn(AS_PRINTED, "")?;
     let ours = drawn(COMPACTED, &format!("width={ASKED_PERCENT} width-unit=height-percent"))?;
     let share = |px: f64| 100.0 * px / f64::from(height);
-    let cells = [derived, printed, share(printed), ours, share(ours)].map(Cell::one);
+    let cells = [derived, outside, printed, share(printed), ours, share(ours)].map(Cell::one);
     Ok(Row::new(format!("{height} pixels high, field of view {fov_deg:.0}°"), cells.to_vec()))
 }
 
-/// The mean of the article's width over the visible lines of edges with two faces, by length.
-fn law_px(mesh: &TriangleMesh, topology: &Topology, camera: &Camera, truth: &Truth) -> f64 {
-    let (mut sum, mut length) = (0.0, 0.0);
+/// The means over the visible lines of edges with two faces, by length, of the article's width and of its part outside.
+fn law_px(mesh: &TriangleMesh, topology: &Topology, camera: &Camera, truth: &Truth) -> [f64; 2] {
+    let (mut sum, mut length) = (DVec2::ZERO, 0.0);
     for sample in &truth.lines.samples {
-        if let Some(width) = law_of_edge_px(mesh, topology, camera, sample.edge, sample.tangent) {
-            sum += width * sample.length_px;
+        if let Some(widths) = law_of_edge_px(mesh, topology, camera, sample.edge, sample.tangent) {
+            sum += widths * sample.length_px;
             length += sample.length_px;
         }
     }
-    sum / length
+    (sum / length).to_array()
 }
 
-/// The article's width at the middle of an edge that runs along `tangent` in the image (y down).
+/// The article's width, and its part outside of the front face, at the middle of an edge that runs along `tangent` in the image (y
+/// down).
 fn law_of_edge_px(
     mesh: &TriangleMesh,
     topology: &Topology,
     camera: &Camera,
     edge: EdgeId,
     tangent: DVec2,
-) -> Option<f64> {
+) -> Option<DVec2> {
     let faces: [FaceId; 2] = topology.faces(edge).collect::<Vec<_>>().try_into().ok()?;
     let at = |vertex: usize| mesh.positions()[vertex].as_dvec3();
     let normal = |face: FaceId| {
@@ -114,7 +122,10 @@ fn law_of_edge_px(
     // Across the line, in the image plane: a quarter turn of its direction, from pixels (y down) to view space (y up).
     let across = to_view.inverse().transform_vector3(DVec3::new(-tangent.y, -tangent.x, 0.0)).normalize();
     let depth = camera.project(middle)?.depth;
-    let distance = middle.distance(camera.eye().as_dvec3());
-    let shares: f64 = faces.into_iter().map(|face| normal(face).dot(across).abs()).sum();
-    Some(EXTEND * distance * camera.pixels_per_unit(depth) * shares)
+    let eye = camera.eye().as_dvec3();
+    let is_front = |face: FaceId| normal(face).dot(eye - middle) > 0.0;
+    let share = |face: FaceId| normal(face).dot(across).abs();
+    let front: f64 = faces.into_iter().filter(|&face| is_front(face)).map(share).sum();
+    let both: f64 = faces.into_iter().map(share).sum();
+    Some(EXTEND * middle.distance(eye) * camera.pixels_per_unit(depth) * DVec2::new(both, front))
 }
