@@ -14,7 +14,6 @@ fn flood(@builtin(global_invocation_id) id: vec3<u32>) {
     if !is_in_field(pixel) {
         return;
     }
-    let own = textureLoad(records, pixel, 0).xy;
     let middle = vec2<f32>(pixel) + 0.5;
     var found = NONE;
     var found_px = 1e30;
@@ -30,8 +29,11 @@ fn flood(@builtin(global_invocation_id) id: vec3<u32>) {
         let at = unpacked_pixel(known);
         let record = textureLoad(records, at, 0).xy;
         let away_px = distance(middle, seed_of(at, record));
+        if away_px >= found_px {
+            continue;
+        }
         // A pixel keeps its own seed, so that others learn of it, whether or not its ink may lie there.
-        if away_px < found_px && (all(at == pixel) || accepts(own, record)) {
+        if all(at == pixel) || accepts(textureLoad(records, pixel, 0).xy, record) {
             found = known;
             found_px = away_px;
         }
