@@ -57,21 +57,15 @@ fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
             depth = other_depth;
         }
     }
-    if object == 0u {
-        textureStore(records, pixel, vec4<u32>(0u));
-        textureStore(nearest, pixel, vec4<u32>(NONE, 0u, 0u, 0u));
-        return;
-    }
-    if is_covered && is_within(pixel, object) {
-        textureStore(records, pixel, vec4<u32>(packed_record(depth, object, COVERED, vec2<f32>(0.0)), 0u, 0u));
-        textureStore(nearest, pixel, vec4<u32>(NONE, 0u, 0u, 0u));
-        return;
-    }
+    // Most pixels lie on the ground or within an object. Software adapters run both sides of a condition, and no loop that nobody
+    // enters.
+    let is_within_object = is_covered && is_within(pixel, object);
+    let neighbours = select(9, 0, object == 0u || is_within_object);
     var around = 0;
     var farthest = depth;
     var inward = vec2<f32>(0.0);
     var stands_beside = false;
-    for (var neighbour = 0; neighbour < 9; neighbour++) {
+    for (var neighbour = 0; neighbour < neighbours; neighbour++) {
         let to = vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
         if !is_in_field(pixel + to) {
             continue;
@@ -93,13 +87,13 @@ fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
         stands_beside |= same == 0 && stands_before && abs(to.x) + abs(to.y) == 1;
         around += same;
     }
-    let is_border = !is_covered || stands_beside;
+    let is_border = neighbours > 0 && (!is_covered || stands_beside);
     let flags = select(0u, COVERED, is_covered) | select(0u, SEED, is_border);
     // The nine pixels as one square: its 36 samples place a border better than four do. It runs through the pixel in their middle.
     let place = 3.0 * border_place(inward, f32(around) / f32(9 * SAMPLES));
     let within = place * min(FARTHEST_PLACE_PX / max(length(place), 1e-6), 1.0);
     // The ink of a seed lies behind the object itself; other pixels say what ink must be nearer than.
     let record = packed_record(select(depth, farthest, is_border), object, flags, within);
-    textureStore(records, pixel, vec4<u32>(record, 0u, 0u));
+    textureStore(records, pixel, vec4<u32>(select(record, vec2<u32>(0u), object == 0u), 0u, 0u));
     textureStore(nearest, pixel, vec4<u32>(select(NONE, packed_pixel(pixel), is_border), 0u, 0u, 0u));
 }
