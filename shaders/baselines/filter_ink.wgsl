@@ -20,9 +20,17 @@ fn filter_ink(@builtin(position) position: vec4<f32>) -> Inked {
     // The middle of a pixel is up to half a pixel beside the nearest seed of a line, along the line.
     let half_px = field.reach.x + field.reach.y / depth;
     let reach_px = sqrt(half_px * half_px + 0.25);
-    let own_depth = depth_of(textureLoad(records, pixel, 0).xy);
-    let ink = inked(pixel, seed_of(at, record), reach_px, min(depth, own_depth) - lift_at(depth));
-    if ink.samples == 0u || !(half_px > 0.0) {
+    let is_near = half_px > 0.0 && distance(vec2<f32>(pixel) + 0.5, seed_of(at, record)) < reach_px + 1.0;
+    // On whatever of the mesh is around the pixel: its samples may be nearer than its middle.
+    var nearer = depth;
+    let neighbours = select(0, 9, is_near);
+    for (var neighbour = 0; neighbour < neighbours; neighbour++) {
+        let beside = pixel + vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
+        let other = depth_of(textureLoad(records, clamp(beside, vec2<i32>(0), field.size_px - 1), 0).xy);
+        nearer = min(nearer, other);
+    }
+    let ink = inked(pixel, seed_of(at, record), reach_px, nearer - lift_at(nearer));
+    if ink.samples == 0u || !is_near {
         discard;
     }
     return ink;

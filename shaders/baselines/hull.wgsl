@@ -42,11 +42,19 @@ fn pushed(position: vec3<f32>, normal: vec3<f32>) -> vec4<f32> {
     // The derivative of the pixel along the normal, times the square of w.
     let projected = (way.xy * at.w - at.xy * way.w) * 0.5 * hull.viewport_px;
     let projected_px = length(projected);
-    let share = projected_px / max(hull.px_per_unit * abs(at.w) * unit, 1e-30);
-    let direction = projected / max(projected_px, 1e-30) * min(share / FULL_PUSH, 1.0);
-    // A reach of x + y / w pixels, in clip space. Linear in w, so that it holds along edges that pass the eye as well.
-    let offset = direction * (hull.reach.x * at.w + hull.reach.y) * 2.0 / hull.viewport_px;
-    return vec4<f32>(at.xy + offset, at.zw);
+    let most_px = hull.px_per_unit * abs(at.w) * unit;
+    let full = max(projected_px, FULL_PUSH * most_px);
+    // A reach of x + y / w pixels along the projection, times w: linear in w, so that it holds along edges that pass the eye as well.
+    let reach = hull.reach.x * at.w + hull.reach.y;
+    let offset = projected / max(full, 1e-30) * reach * 2.0 / hull.viewport_px;
+    // As far back, or forth, as the normal leads on that way, but less than the push is long: a vertex that moved across the view alone
+    // would lift back faces that recede over what is before them. At most half of the way to the eye, and not beyond the planes.
+    let push = reach * abs(at.w) / max(full, 1e-30) * min(projected_px / max(most_px, 1e-30), 1.0);
+    let most = 0.5 * abs(at.w) / max(abs(way.w * push), 1e-30);
+    let depth = at.zw + way.zw * push * min(most, 1.0);
+    let is_between = at.z >= 0.0 && at.z <= at.w;
+    let z = select(depth.x, clamp(depth.x, 0.0, max(depth.y, 0.0)), is_between);
+    return vec4<f32>((at.xy + offset) * select(depth.y / at.w, 1.0, at.w == 0.0), z, depth.y);
 }
 
 @vertex

@@ -7,11 +7,12 @@
 @group(1) @binding(0) var records: texture_2d<u32>;
 @group(1) @binding(1) var nearest: texture_2d<u32>;
 
-// The nearest seed around a pixel whose ink lies over the pixel's object.
+// The nearest seed around a border pixel whose ink lies over the pixel's object.
 fn seed_over(pixel: vec2<i32>, own: vec2<u32>) -> u32 {
     var found = NONE;
     var found_px = 1e30;
-    for (var neighbour = 0; neighbour < 9; neighbour++) {
+    let neighbours = select(0, 9, (own.y & SEED) != 0u);
+    for (var neighbour = 0; neighbour < neighbours; neighbour++) {
         let from_pixel = pixel + vec2<i32>(neighbour % 3 - 1, neighbour / 3 - 1);
         let known = select(NONE, textureLoad(nearest, from_pixel, 0).x, is_in_field(from_pixel));
         if known == NONE {

@@ -27,8 +27,9 @@ impl Extent {
         let margin = (reach_px.max(0.0) + 2.0).min(f64::from(MOST_MARGIN_PX)).ceil() as u32;
         let margin_px = margin.next_multiple_of(MARGIN_STEP_PX).min(MOST_MARGIN_PX);
         let longest = viewport.size_px.into_iter().fold(0, u32::max).saturating_add(2 * margin_px);
-        // Steps of 1, 2, 4 … n / 2 pixels bring a seed n - 1 pixels far; a line ends within the pixel after its reach.
-        let far = (reach_px.max(0.0) + 2.0).min(f64::from(longest)).ceil() as u32;
+        // Steps of 1, 2, 4 … n / 2 pixels bring a seed n - 1 pixels far. Seeds and samples lie beside the middles of their pixels, by
+        // half a diagonal at most each.
+        let far = (reach_px.max(0.0) + std::f64::consts::SQRT_2).min(f64::from(longest)).floor() as u32;
         Self { viewport, margin_px, steps: (far + 1).next_power_of_two().trailing_zeros() }
     }
 
@@ -73,7 +74,7 @@ mod tests {
     #[test]
     fn steps_reach_as_far_as_ink_and_little_farther() {
         let viewport = Viewport { origin_px: [7, 3], size_px: [600, 400] };
-        for (reach_px, steps) in [(0.0, 2), (1.0, 2), (2.0, 3), (5.0, 3), (6.0, 4), (100.0, 7), (1e9, 11)] {
+        for (reach_px, steps) in [(0.0, 1), (1.0, 2), (2.0, 2), (6.0, 3), (7.0, 4), (100.0, 7), (1e9, 11)] {
             let extent = Extent::new(viewport, reach_px);
             assert_eq!(extent.steps, steps, "{reach_px}");
             let [width, height] = extent.size_px();

@@ -20,22 +20,23 @@ pub(super) struct ThresholdsUniform {
     depth: f32,
     cosine: f32,
     chord_squared: f32,
+    ground: f32,
     is_perspective: u32,
+    finds_turns: u32,
 }
 
 impl ThresholdsUniform {
-    /// Those of a mesh whose radius in view space is `radius`.
-    pub fn new(options: &GbufferFilterOptions, view: &FrameView, radius: f64) -> Self {
+    /// Those of a mesh whose radius in view space is `radius`; where there is no mesh the G-buffer's depth is `ground`.
+    pub fn new(options: &GbufferFilterOptions, view: &FrameView, radius: f64, ground: f32) -> Self {
         let angle = options.normal_threshold_deg.to_radians();
-        let (cosine, chord) = match options.edges {
-            FilteredEdges::Silhouettes => (-2.0, 3.0),
-            FilteredEdges::All => (angle.cos(), 2.0 * (0.5 * angle).sin()),
-        };
+        let chord = 2.0 * (0.5 * angle).sin();
         Self {
             depth: (options.depth_threshold * radius) as f32,
-            cosine: cosine as f32,
+            cosine: angle.cos() as f32,
             chord_squared: (chord * chord) as f32,
+            ground,
             is_perspective: u32::from(view.is_perspective()),
+            finds_turns: u32::from(options.edges == FilteredEdges::All),
         }
     }
 }
@@ -62,7 +63,9 @@ mod tests {
             ("depth", offset_of!(ThresholdsUniform, depth)),
             ("cosine", offset_of!(ThresholdsUniform, cosine)),
             ("chord_squared", offset_of!(ThresholdsUniform, chord_squared)),
+            ("ground", offset_of!(ThresholdsUniform, ground)),
             ("is_perspective", offset_of!(ThresholdsUniform, is_perspective)),
+            ("finds_turns", offset_of!(ThresholdsUniform, finds_turns)),
         ];
         let stage = silhouette_shaders::baselines::DISCONTINUITIES;
         assert!(silhouette_shaders::layout::matches(stage, "Thresholds", size_of::<ThresholdsUniform>(), &members));

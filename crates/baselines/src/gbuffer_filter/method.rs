@@ -47,13 +47,15 @@ line_method_options! {
 /// each pixel of the view and of a margin as wide as the lines.
 ///
 /// Ink is centred on the discontinuity and lies on what is nearest there, so that whatever stands before the mesh hides its lines.
-/// Lines of less than 2 px are drawn 2 px wide: the filter finds them between pixels.
+/// Outlines of one sample per pixel are staircases, whose steps lie on either side of the true outline: around a sphere, lines are
+/// wider than asked by up to 0.7 px (`roberts`) or 1 px (`sobel`). None is thinner than a pixel and a half or so: the filter finds
+/// lines between pixels.
 ///
 /// # Failures
 /// The filter sees one sample per pixel: lines are as jagged as the mesh is without antialiasing, and parts thinner than a
 /// pixel have broken ones. Steps below the threshold have no line, which nothing but the distance of two surfaces decides: contact,
-/// thin plates on each other. Curved surfaces that graze the view have false lines; so have creases seen at a grazing angle,
-/// whose depth turns within a pixel.
+/// thin plates on each other. Nor have steps within two pixels of the end of the mesh. Curved surfaces that graze the view, and
+/// planes seen so nearly edge-on that they are a pixel wide, may have false lines.
 #[derive(Debug, Clone)]
 pub struct GbufferFilter {
     #[cfg_attr(not(feature = "gpu"), allow(dead_code, reason = "what options are for is on the device"))]

@@ -11,7 +11,9 @@
 //!    depth counts as far as it exceeds the steps beside it, which is nothing on a plane however slanted: depth is taken as its
 //!    reciprocal, in which planes are linear over a perspective image.
 //! 3. The threshold is a share of the mesh's radius, so that a mesh has the same lines in any unit and at any distance.
-//! 4. The sum of normals' differences that engines add is there as well (`edges=all`).
+//! 4. Turns of the normal, which engines look for beside depth, are found as well (`edges=all`).
+//! 5. Engines widen lines by looking farther around each pixel, which costs the square of the width; here the cost of a width is its
+//!    logarithm.
 
 mod method;
 

@@ -132,7 +132,7 @@ impl FrameRenderer for GbufferFilterRenderer {
             &CameraUniform::new(frame.to_clip(&field_view)),
             &SurfaceFrame::new(&frame, &field_view),
         );
-        self.thresholds.write(queue, &ThresholdsUniform::new(&self.options, view, radius));
+        self.thresholds.write(queue, &ThresholdsUniform::new(&self.options, view, radius, formats.clear_depth()));
         let uniform = FieldUniform::new(view, radius, &extent, &width, 0.5, &formats);
         let uniform = uniform.with_ink(style.ink.for_target(&formats), Rim::Samples);
         self.binding.write(queue, &CameraUniform::new(DMat4::IDENTITY), &uniform);

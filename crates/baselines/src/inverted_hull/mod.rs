@@ -7,7 +7,8 @@
 //!
 //! # Departures from what engines do
 //! 1. Engines push in the mesh's own space or in world space, so that width depends on distance and on how far the normal points
-//!    at the viewer. `push=image`, the default, moves each vertex by the width in the image, whatever its depth.
+//!    at the viewer. `push=image`, the default, moves each vertex by the width in the image, whatever its depth, and back or
+//!    forth as the normal leads, by less than that.
 //! 2. Engines bake normals for the outline at import, or push along render normals, which tears the hull at hard edges
 //!    (`normals=split`). Here they are made from positions alone, and made again on the device while vertices move.
 

@@ -74,21 +74,30 @@ fn ink_reaches_as_far_as_brute_force_says() {
         let distances = distances_px(gpu, &mesh, &camera, 40.0);
         for width_px in [1.0, 2.0, 5.5, 13.0, 30.0] {
             let image = Lines::Flood.seen(gpu, &mesh, &[&format!("width={width_px}")], &camera);
-            let mut inked = 0;
+            let (mut inked, mut off) = (0, 0);
             for (pixel, distance) in image.rgba.chunks_exact(4).zip(&distances) {
                 let Some(distance) = *distance else { continue };
                 let is_ink = pixel[0] == 0;
                 inked += i32::from(is_ink);
-                // Four samples place a border to a fraction of a pixel; jump flooding may miss the nearest seed by as much.
-                let inside = distance > 0.45 && distance < width_px - 0.45;
-                assert!(is_ink || !inside, "{name} {width_px}: bare at {distance} px");
-                assert!(!is_ink || distance < width_px + 0.45, "{name} {width_px}: ink at {distance} px");
-                assert!(!is_ink || distance > 0.0, "{name} {width_px}: ink on the mesh");
+                // How far the pixel is from where it would be right.
+                let wrong_px = match is_ink {
+                    // Where samples see a nearer part of the mesh than the pixel's middle does.
+                    true if distance == 0.0 => 0.5,
+                    true => distance - width_px,
+                    false => distance.min(width_px - distance),
+                };
+                // Corners and narrow places are no straight borders, and jump flooding may miss the nearest seed.
+                assert!(wrong_px < 0.75, "{name} {width_px}: ink {is_ink} at {distance} px");
+                off += i32::from(wrong_px > 0.35);
             }
+            assert!(
+                off * 50 <= inked,
+                "{name} {width_px}: {off} of {inked} px are off by more than a third of a pixel"
+            );
             let within = |px: f64| distances.iter().flatten().filter(|&&away| away > 0.0 && away <= px).count() as f64;
-            // As many pixels lie within one of the border as it is long: lines are off by less than a sixth of a pixel
-            // on average.
-            let off_px = (f64::from(inked) - within(width_px)) / within(1.0);
+            // As many pixels lie within a half of the rim as it is long: lines are off by less than a sixth of a pixel on average.
+            let rim_px = within(width_px + 0.5) - within(width_px - 0.5);
+            let off_px = (f64::from(inked) - within(width_px)) / rim_px;
             assert!(off_px.abs() < 0.16, "{name} {width_px}: wider by {off_px} px");
         }
     }
