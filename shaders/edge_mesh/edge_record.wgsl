@@ -26,7 +26,10 @@ fn is_front(face_word: u32) -> bool {
 }
 
 fn is_silhouette(record: vec4<u32>) -> bool {
-    return is_front(record.x) != is_front(record.y) || (record.y & BOUNDARY) != 0u;
+    // The second face of a boundary edge is the first.
+    let front = is_front(record.x);
+    let is_boundary = (record.y & BOUNDARY) != 0u;
+    return is_front(record.y) != front || (is_boundary && (front || style.back_boundaries != 0u));
 }
 
 // The ends of a silhouette edge in an order that has the front face to the right in the image, so that left is outwards.
@@ -55,7 +58,7 @@ fn bend_pen(record: vec4<u32>) -> u32 {
 
 // The pen of an edge that is drawn as a ridge or valley; 0 for all others.
 fn feature_pen(record: vec4<u32>) -> u32 {
-    if is_silhouette(record) || (style.hides_back_features != 0u && !is_front(record.x)) {
+    if is_silhouette(record) || (style.back_features == 0u && !is_front(record.x)) {
         return 0u;
     }
     return bend_pen(record);

@@ -19,8 +19,10 @@ struct StyleUniform {
     // Bits of a vertex index that hold the point of the polygon, for silhouettes and for features.
     silhouette_bits: u32,
     feature_bits: u32,
-    // 1: a feature between two back faces is not drawn.
-    hides_back_features: u32,
+    // 1: a feature between two back faces is drawn.
+    back_features: u32,
+    // 1: a boundary edge of a back face is drawn.
+    back_boundaries: u32,
     // 1: ridges and valleys are found from this frame's normals.
     bends_now: u32,
     // Cosines of the least angles of ridges and valleys; below -1: none.

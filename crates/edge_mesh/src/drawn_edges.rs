@@ -19,14 +19,23 @@ pub struct DrawnEdges {
     pub features: Vec<(u32, Bend)>,
 }
 
-/// The records that are drawn, at rest; `hides_back_features` leaves out features between two back faces. O(E).
-pub fn drawn_edges(records: &[EdgeRecord], is_front: impl Fn(FaceId) -> bool, hides_back_features: bool) -> DrawnEdges {
+/// What is drawn of back faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OfBackFaces {
+    /// Boundary edges.
+    pub boundaries: bool,
+    /// Features between two of them, which a closed mesh hides.
+    pub features: bool,
+}
+
+/// The records that are drawn, at rest. O(E).
+pub fn drawn_edges(records: &[EdgeRecord], is_front: impl Fn(FaceId) -> bool, of_back: OfBackFaces) -> DrawnEdges {
     let mut drawn = DrawnEdges::default();
     for (index, record) in (0..).zip(records) {
-        if record.is_silhouette(&is_front) {
+        if record.is_silhouette(&is_front, of_back.boundaries) {
             drawn.silhouettes.push(index);
         } else if let Some(feature) = record.feature()
-            && (!hides_back_features || is_front(record.first_face()))
+            && (of_back.features || is_front(record.first_face()))
         {
             drawn.features.push((index, feature.bend));
         }

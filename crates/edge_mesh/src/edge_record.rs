@@ -101,9 +101,14 @@ impl EdgeRecord {
         }
     }
 
-    /// Whether it is drawn as a silhouette: its faces face different ways, or there is only one.
-    pub fn is_silhouette(&self, is_front: impl Fn(FaceId) -> bool) -> bool {
-        self.second_face().is_none_or(|second| is_front(second) != is_front(self.first_face()))
+    /// Whether it is drawn as a silhouette: its faces face different ways, or there is only one, which is front, or
+    /// `draws_back_boundaries`.
+    pub fn is_silhouette(&self, is_front: impl Fn(FaceId) -> bool, draws_back_boundaries: bool) -> bool {
+        let is_first_front = is_front(self.first_face());
+        match self.second_face() {
+            Some(second) => is_front(second) != is_first_front,
+            None => is_first_front || draws_back_boundaries,
+        }
     }
 }
 
@@ -136,11 +141,14 @@ mod tests {
     }
 
     #[test]
-    fn silhouettes_differ_in_facing_and_boundaries_always_are() {
+    fn silhouettes_differ_in_facing_and_boundaries_are_front_or_all() {
         let record = EdgeRecord::between([0, 1], FaceId::new(3), FaceId::new(4), false);
-        assert!(record.is_silhouette(|face| face.get() == 3) && record.is_silhouette(|face| face.get() == 4));
-        assert!(!record.is_silhouette(|_| true) && !record.is_silhouette(|_| false));
         let boundary = EdgeRecord::boundary([0, 1], FaceId::new(3));
-        assert!(boundary.is_silhouette(|_| true) && boundary.is_silhouette(|_| false));
+        for all in [false, true] {
+            assert!([3, 4].iter().all(|&front| record.is_silhouette(|face| face.get() == front, all)));
+            assert!(!record.is_silhouette(|_| true, all) && !record.is_silhouette(|_| false, all));
+            assert!(boundary.is_silhouette(|_| true, all));
+            assert_eq!(boundary.is_silhouette(|_| false, all), all);
+        }
     }
 }

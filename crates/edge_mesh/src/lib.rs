@@ -38,8 +38,8 @@
 //! [`as_printed`] is the article's own arithmetic (`arithmetic=as-printed`).
 //!
 //! # Which edges
-//! *Silhouettes*: edges whose faces differ in facing, and all boundary edges. At rest these are the edges that brute force finds, for
-//! every view, with the boundary edges of back faces, which belong to the outline as well. *Ridges* and *valleys*: convex and concave
+//! *Silhouettes*: edges whose faces differ in facing, and boundary edges of front faces. At rest these are the edges that brute
+//! force finds, for every view. With `boundaries=all` a sheet has an outline from behind, too. *Ridges* and *valleys*: convex and concave
 //! edges whose faces' normals make at least an angle, each with its own threshold, width and colour; both are off by default.
 //! *Creases*: edges that the mesh's file marks as sharp, drawn as ridges or valleys (`creases=given`). Silhouettes come last and
 //! cover the others. Silhouettes lie beyond the front face, ridges and valleys on both sides of their edge.
@@ -52,7 +52,7 @@
 //! - `path=vertex-stage`: one draw and no storage that a stage writes, as the article has it; about four vertices per edge of the mesh.
 //! - `facing=exact`, the default: facings of a mesh at rest are exact, 1 bit per face uploaded when the viewpoint changes. Once
 //!   positions are replaced, and with `facing=device`, the device decides in 32 bits, and the CPU does nothing per vertex or face.
-//! - `cull=back`: for closed meshes seen from outside the interior takes about half.
+//! - `cull=auto`, the default: of closed meshes seen from outside the interior draws front faces alone, which is half the work.
 //!
 //! # Departures from the article
 //! 1. The article's E points away from the camera, so that the vertices which its text calls front facing are those of the back face.
@@ -64,7 +64,7 @@
 //! 4. The test "product below 0" loses both edges of a face that is seen edge-on. Here facings are compared.
 //! 5. Products of 32-bit planes vanish, overflow, and may differ at both ends of an edge. Here each face is classified once, and
 //!    nothing is multiplied or normalised for its sign.
-//! 6. Boundary edges were not generated. Here they are always drawn; an edge with k faces has k - 1 records.
+//! 6. Boundary edges were not generated. Here they are drawn where their face is front, or always; an edge with k faces has k - 1 records.
 //! 7. Ridges and silhouettes add up to an alpha of 2. Here an edge is one or the other, with colours of their own.
 //! 8. Edges that are not drawn were displaced, rasterised and discarded. Here they are not listed, or lie outside the clip volume.
 //! 9. Lines had no ends, so that corners gaped. Here ends are rounded.
@@ -99,6 +99,7 @@ mod lines;
 mod method;
 pub mod oct_normal;
 pub mod options;
+mod outward;
 #[cfg(feature = "gpu")]
 mod pipelines;
 #[cfg(feature = "gpu")]

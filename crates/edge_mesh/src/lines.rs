@@ -1,7 +1,7 @@
 //! Steps 2 to 4 on the device, for one renderer. Stage of step 4: `shaders/edge_mesh/lines.wgsl`.
 
 use crate::chunks::{ChunkIndices, chunks, point_bits};
-use crate::drawn_edges::{DrawnEdgesStage, DrawnLists};
+use crate::drawn_edges::{DrawnEdgesStage, DrawnLists, OfBackFaces};
 use crate::edge_buffers::EdgeBuffers;
 use crate::face_planes::FacePlanes;
 use crate::method::EdgeMesh;
@@ -74,7 +74,7 @@ pub(crate) struct Lines {
     /// Held so that the next renderer finds the records on the device.
     _edges: Arc<EdgeBuffers>,
     counts: Counts,
-    hides_back_features: bool,
+    of_back: OfBackFaces,
     facings: FaceFacings,
     facing: wgpu::Buffer,
     normals: wgpu::Buffer,
@@ -139,7 +139,7 @@ impl Lines {
         let bound = [&edges.records, &facing, &normals];
         Ok(Some(Self {
             at_rest: Arc::clone(method.mesh()),
-            hides_back_features: method.is_closed(),
+            of_back: method.of_back_faces(),
             facings: FaceFacings::default(),
             exact_for: None,
             binding: CameraBinding::new(device, &CameraBinding::layout(device), size_of::<StyleUniform>()),
@@ -187,7 +187,8 @@ impl Lines {
         style.faces = self.counts.faces;
         style.edges = self.counts.edges;
         style.features = self.drawn.features;
-        style.hides_back_features = u32::from(self.hides_back_features);
+        style.back_features = u32::from(self.of_back.features);
+        style.back_boundaries = u32::from(self.of_back.boundaries);
         style.bends_now = u32::from(bends_now);
         self.binding.write(queue, camera, &style);
     }

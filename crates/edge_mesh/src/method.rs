@@ -1,8 +1,9 @@
 //! [`EdgeMesh`]: what the method says of itself, its preparation, and the edges that it extracts.
 
-use crate::builder;
+use crate::drawn_edges::OfBackFaces;
 use crate::edge_record::{EdgeRecord, MOST_ELEMENTS};
-use crate::options::{EdgeMeshOptions, PathChoice};
+use crate::options::{BoundariesChoice, EdgeMeshOptions, PathChoice};
+use crate::{builder, outward};
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge;
@@ -33,6 +34,7 @@ pub struct EdgeMesh {
     records: Arc<[EdgeRecord]>,
     features: usize,
     is_closed: bool,
+    is_outward: bool,
     facings: FaceFacings,
     #[cfg(feature = "gpu")]
     pub(crate) on_devices: crate::edge_buffers::OnDevices,
@@ -72,6 +74,7 @@ impl Method for EdgeMesh {
             records: built.records.into(),
             features: built.features,
             is_closed: built.is_closed,
+            is_outward: built.is_closed && outward::is_outward(mesh.mesh()),
             facings: FaceFacings::default(),
             #[cfg(feature = "gpu")]
             on_devices: crate::edge_buffers::OnDevices::default(),
@@ -123,6 +126,16 @@ impl EdgeMesh {
     /// Whether every edge has two faces that run along it in opposite directions.
     pub fn is_closed(&self) -> bool {
         self.is_closed
+    }
+
+    /// Whether, besides, each connected part of the mesh encloses a volume above 0 at rest, so that its faces point outwards.
+    pub fn is_outward(&self) -> bool {
+        self.is_outward
+    }
+
+    /// What is drawn of back faces.
+    pub fn of_back_faces(&self) -> OfBackFaces {
+        OfBackFaces { boundaries: self.options.boundaries == BoundariesChoice::All, features: !self.is_closed }
     }
 }
 

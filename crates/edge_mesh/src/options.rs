@@ -24,8 +24,21 @@ option_choice! {
 }
 
 option_choice! {
+    /// Which boundary edges are drawn.
+    pub enum BoundariesChoice {
+        /// Those of front faces, as extraction has it: a sheet seen from behind has no outline.
+        Front = "front",
+        /// All of them.
+        All = "all",
+    }
+}
+
+option_choice! {
     /// Which faces of the interior are drawn.
     pub enum CullChoice {
+        /// Front faces only where that cannot be seen: each part of the mesh is closed with its faces outwards, and the eye is
+        /// outside of the mesh's bounds; all of them otherwise.
+        Auto = "auto",
         /// All of them: what hides lines on any mesh.
         None = "none",
         /// Front faces only.
@@ -97,8 +110,10 @@ method_options! {
         pub ink_alpha: f64 = number("ink-alpha", 0.0..=1.0, default 1.0),
         /// What is drawn where the mesh is: white, depth alone, or nothing, where the caller's own depth hides lines.
         pub interior: InteriorChoice = choice("interior"),
-        /// Faces that the interior leaves out: none, or back faces, which makes it cheaper and changes nothing as long as the mesh is
-        /// closed, its faces point outwards and the eye is outside.
+        /// Boundary edges that are drawn: those of front faces, or all, for sheets that are seen from both sides.
+        pub boundaries: BoundariesChoice = choice("boundaries"),
+        /// Faces that the interior leaves out: back faces where that cannot be seen, none, or back faces in any case. Without them it
+        /// takes about half.
         pub cull: CullChoice = choice("cull"),
         /// Which stage leaves out the edges that are not drawn: a compute pass that lists the others, or the vertex stage.
         pub path: PathChoice = choice("path"),

@@ -12,7 +12,8 @@ use std::sync::Arc;
 pub struct Pipelines {
     pub(crate) options: EdgeMeshOptions,
     pub(crate) formats: TargetFormats,
-    pub(crate) interior: Option<Arc<FillPipelines>>,
+    /// With back faces, and without them, as far as a view may need either.
+    pub(crate) interior: [Option<Arc<FillPipelines>>; 2],
     pub(crate) lines: Stages,
 }
 
@@ -26,16 +27,19 @@ pub(crate) enum Stages {
 impl Pipelines {
     /// Builds them.
     pub(crate) fn new(device: &wgpu::Device, options: &EdgeMeshOptions, formats: TargetFormats) -> Self {
-        let cull = if options.cull == CullChoice::Back { Cull::Back } else { Cull::None };
-        let fill = |style| Some(Arc::new(FillPipelines::new(device, formats, FillStyle { cull, ..style })));
+        let style = match options.interior {
+            InteriorChoice::Paper => Some(FillStyle::PAPER),
+            InteriorChoice::DepthOnly => Some(FillStyle::DEPTH),
+            InteriorChoice::None => None,
+        };
+        let fill = |never: CullChoice, cull| {
+            let style = style.filter(|_| options.cull != never)?;
+            Some(Arc::new(FillPipelines::new(device, formats, FillStyle { cull, ..style })))
+        };
         Self {
             options: *options,
             formats,
-            interior: match options.interior {
-                InteriorChoice::Paper => fill(FillStyle::PAPER),
-                InteriorChoice::DepthOnly => fill(FillStyle::DEPTH),
-                InteriorChoice::None => None,
-            },
+            interior: [fill(CullChoice::Back, Cull::None), fill(CullChoice::None, Cull::Back)],
             lines: match options.arithmetic {
                 ArithmeticChoice::Corrected => Stages::Corrected(Arc::new(LineStages::new(device, options, formats))),
                 ArithmeticChoice::AsPrinted => {

@@ -3,9 +3,11 @@
 use crate::as_printed::AsPrintedLines;
 use crate::lines::Lines;
 use crate::method::EdgeMesh;
-use crate::options::ArithmeticChoice;
+use crate::options::{ArithmeticChoice, CullChoice};
 use crate::pipelines::{Pipelines, Stages};
 use crate::style;
+use silhouette_core::Viewpoint;
+use silhouette_core::mesh::Bounds;
 use silhouette_gpu::{
     CameraUniform, DrawsLines, FillRenderer, FrameRenderer, FrameView, MeshBuffers, PenPlacement, RendererError,
     TargetFormats, Viewport,
@@ -53,7 +55,12 @@ enum InstanceLines {
 pub struct Renderer {
     pipelines: Arc<Pipelines>,
     mesh: Arc<MeshBuffers>,
-    interior: Option<FillRenderer>,
+    /// With back faces, and without them.
+    interior: [Option<FillRenderer>; 2],
+    /// Whether the view last prepared leaves back faces out.
+    culls: bool,
+    /// Whether that cannot be seen from outside.
+    is_outward: bool,
     lines: InstanceLines,
     viewport: Option<Viewport>,
 }
@@ -76,7 +83,9 @@ impl Renderer {
             Stages::AsPrinted(stage) => InstanceLines::AsPrinted(AsPrintedLines::new(device, queue, stage, method)?),
         };
         Ok(Self {
-            interior: pipelines.interior.as_ref().map(|fill| FillRenderer::new(device, fill, mesh)),
+            interior: pipelines.interior.each_ref().map(|fill| Some(FillRenderer::new(device, fill.as_ref()?, mesh))),
+            culls: false,
+            is_outward: method.is_outward(),
             lines,
             pipelines: Arc::clone(pipelines),
             mesh: Arc::clone(mesh),
@@ -105,13 +114,25 @@ impl Renderer {
     }
 }
 
+/// Whether the eye is outside of the box around a mesh, as that of an orthographic view always is.
+fn is_outside(bounds: &Bounds, viewpoint: &Viewpoint) -> bool {
+    let Viewpoint::Perspective { eye } = viewpoint else { return true };
+    let eye = eye.as_dvec3();
+    eye.cmplt(bounds.min).any() || eye.cmpgt(bounds.max).any()
+}
+
 impl FrameRenderer for Renderer {
     fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, view: &FrameView) -> Result<(), RendererError> {
         let Pipelines { options, formats, .. } = &*self.pipelines;
         formats.check(view)?;
         let Some(bounds) = self.mesh.bounds() else { return Ok(()) };
         let frame = self.mesh.frame();
-        if let Some(interior) = &mut self.interior {
+        self.culls = match options.cull {
+            CullChoice::Auto => self.is_outward && is_outside(&bounds, &view.viewpoint()),
+            CullChoice::None => false,
+            CullChoice::Back => true,
+        };
+        if let Some(interior) = &mut self.interior[usize::from(self.culls)] {
             interior.prepare(device, queue, view)?;
         }
         match &mut self.lines {
@@ -135,7 +156,7 @@ impl FrameRenderer for Renderer {
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(viewport) = self.viewport else { return };
-        if let Some(interior) = &self.interior {
+        if let Some(interior) = &self.interior[usize::from(self.culls)] {
             interior.draw(pass);
         }
         viewport.set(pass);

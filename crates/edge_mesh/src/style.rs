@@ -19,11 +19,12 @@ pub(crate) struct StyleUniform {
     pub turned: u32,
     pub silhouette_bits: u32,
     pub feature_bits: u32,
-    pub hides_back_features: u32,
+    pub back_features: u32,
+    pub back_boundaries: u32,
     pub bends_now: u32,
     pub ridge_cosine: f32,
     pub valley_cosine: f32,
-    _pad: [u32; 2],
+    _pad: u32,
 }
 
 /// Fills in what a view decides; counts and bits are the caller's.
@@ -59,11 +60,12 @@ pub(crate) fn of_view(
         turned: u32::from(view.is_mirrored()),
         silhouette_bits: 0,
         feature_bits: 0,
-        hides_back_features: 0,
+        back_features: 0,
+        back_boundaries: 0,
         bends_now: 0,
         ridge_cosine,
         valley_cosine,
-        _pad: [0; 2],
+        _pad: 0,
     }
 }
 
@@ -99,7 +101,8 @@ mod tests {
             turned,
             silhouette_bits,
             feature_bits,
-            hides_back_features,
+            back_features,
+            back_boundaries,
             bends_now,
             ridge_cosine,
             valley_cosine

@@ -24,13 +24,12 @@ fn edges_of<'a>(topology: &Topology, records: impl Iterator<Item = &'a EdgeRecor
     records.map(edge).collect()
 }
 
-/// What is to be drawn: silhouette edges by brute force, and the boundary edges of back faces, which are part of the outline too.
-fn expected(mesh: &TriangleMesh, topology: &Topology, viewpoint: &Viewpoint) -> BTreeSet<EdgeId> {
+/// What is to be drawn: silhouette edges by brute force.
+fn expected(mesh: &TriangleMesh, viewpoint: &Viewpoint) -> BTreeSet<EdgeId> {
     let mut oracle: BruteForce = silhouette_testing::prepare::method(&prepared(mesh.clone()));
     let mut found = SilhouetteEdges::default();
     oracle.extract_edges(viewpoint, &mut found);
-    let boundary = topology.edges().ids().filter(|&edge| topology.half_edges(edge).len() == 1);
-    found.iter().chain(boundary).collect()
+    found.iter().collect()
 }
 
 #[test]
@@ -46,15 +45,11 @@ fn the_drawn_edges_are_those_of_brute_force_from_every_view() {
             let lists = drawn(gpu, &mut renderer, &view);
             let records = lists.silhouettes.iter().map(|&record| &method.records()[record as usize]);
             let viewpoint = view.viewpoint();
-            assert_eq!(
-                edges_of(&topology, records),
-                expected(&mesh, &topology, &viewpoint),
-                "{name} from {viewpoint:?}"
-            );
+            assert_eq!(edges_of(&topology, records), expected(&mesh, &viewpoint), "{name} from {viewpoint:?}");
             let facings = FaceFacings::new(&mesh, &viewpoint);
             assert_eq!(
                 lists,
-                drawn_edges(method.records(), |face| facings.is_front(face), method.is_closed()),
+                drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces()),
                 "{name}"
             );
             drawn_in_all += lists.silhouettes.len();
@@ -114,7 +109,7 @@ fn facings_of_the_device_differ_from_exact_ones_only_within_the_bound_of_32_bits
                 differing += usize::from(on_device(face) != exact.is_front(face));
             }
             // Whatever the facings are, they are decided once, and the lists follow from them.
-            assert_eq!(lists, drawn_edges(method.records(), on_device, method.is_closed()), "{name}");
+            assert_eq!(lists, drawn_edges(method.records(), on_device, method.of_back_faces()), "{name}");
         }
     }
     assert!(faces > 100_000 && differing > 0, "{differing} of {faces}: the hard views put signs in doubt");
@@ -140,7 +135,7 @@ fn the_printed_product_loses_an_edge_of_a_cube_seen_from_the_plane_of_a_face() {
     });
     assert_eq!(printed.count(), 3);
     let facings = FaceFacings::new(&mesh, &views::seen_from(EYE_IN_PLANE));
-    let ours = drawn_edges(method.records(), |face| facings.is_front(face), true).silhouettes;
+    let ours = drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces()).silhouettes;
     assert_eq!(ours.len(), 4);
     // Closed: each end belongs to two of them.
     let mut ends: Vec<VertexId> = ours.iter().flat_map(|&record| method.records()[record as usize].ends()).collect();
@@ -205,7 +200,7 @@ fn slivers_at_t_junctions_are_not_drawn() {
     let mesh = TriangleMesh::new(positions, triangles).unwrap();
     let method = method(&mesh, &[]);
     let facings = FaceFacings::new(&mesh, &views::seen_from(Vec3::new(1.0, 1.0, 5.0)));
-    let drawn = drawn_edges(method.records(), |face| facings.is_front(face), false).silhouettes;
+    let drawn = drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces()).silhouettes;
     let boundary = method.records().iter().filter(|record| record.second_face().is_none()).count();
     assert_eq!((drawn.len(), boundary), (5, 5), "the boundary and nothing else");
 }
