@@ -137,7 +137,7 @@ fn outlines_are_closed_at_sharp_corners() {
             let shown = picture_of(gpu, &mesh, &["width=0", "interior=paper"], &view);
             for path in PATHS {
                 for width in ["width=2", "width=5"] {
-                    let image = picture_of(gpu, &mesh, &[path, width, "interior=none"], &view);
+                    let image = picture_of(gpu, &mesh, &[path, width, "interior=none", "boundaries=all"], &view);
                     let reached = flooded(&image);
                     let leaks = shown
                         .rgba
