@@ -8,9 +8,11 @@ use crate::paper::Run;
 use crate::table::{Cell, Column, Row, Table};
 use silhouette_baselines::FineMesh;
 use silhouette_compare::NamedMesh;
+use silhouette_compare::drawing::{DrawError, Drawing};
 use silhouette_compare::registry::Entry;
 use silhouette_core::shapes::by_name;
 use silhouette_core::{PreparedMesh, Progress};
+use silhouette_gpu::RendererError;
 use silhouette_render::Gpu;
 use std::sync::Arc;
 
@@ -35,21 +37,38 @@ pub fn by_mesh(
     run.meshes.iter().chain(&largest).map(of).collect()
 }
 
+/// A drawing, or why the device cannot hold what the method derives from the mesh.
+fn unless_too_large(drawing: Result<Drawing, Cause>) -> Result<Result<Drawing, String>, Cause> {
+    match drawing {
+        Err(Cause::Draw(DrawError::Renderer(RendererError::MeshTooLarge(refusal)))) => Ok(Err(refusal.to_string())),
+        other => other.map(Ok),
+    }
+}
+
 fn of_mesh(gpu: &Gpu, named: &NamedMesh, rounds: u32, size: [u32; 2], progress: &dyn Progress) -> Result<Table, Cause> {
     progress.stage(&format!("{}: frames", named.name), 1);
     let mesh = &named.mesh;
     let plain: Entry = Entry::of::<FineMesh>().fill().into();
     let mut plain = drawing(gpu, mesh, &plain, "shading=flat", style(size), progress)?;
-    let drawings = METHODS.iter().map(|drawn| drawn.drawing(gpu, mesh, "", size, progress));
-    let mut drawings = drawings.collect::<Result<Vec<_>, _>>()?;
+    let mut drawings = Vec::new();
+    for drawn in &METHODS {
+        drawings.push(unless_too_large(drawn.drawing(gpu, mesh, "", size, progress))?);
+    }
     let cameras = spread(rounds).map(|direction| camera(mesh.mesh(), direction, FOV_Y_RAD, size));
     let cameras: Vec<_> = cameras.collect::<Result<_, _>>()?;
-    let mut all: Vec<_> = std::iter::once(&mut plain).chain(&mut drawings).collect();
-    let times = time(gpu, &cameras, &mut all, progress)?;
+    let held = drawings.iter_mut().filter_map(|drawing| drawing.as_mut().ok());
+    let mut all: Vec<_> = std::iter::once(&mut plain).chain(held).collect();
+    let mut times = time(gpu, &cameras, &mut all, progress)?.into_iter();
     progress.advance(1);
-    let plain_ms = times[0];
-    let labels = std::iter::once("plain").chain(METHODS.iter().map(|drawn| drawn.label));
-    let row = |(label, ms): (&'static str, f64)| Row::new(label, [ms, ms / plain_ms].map(Cell::one).to_vec());
+    let plain_ms = times.next().unwrap_or(f64::NAN);
+    let row = |label, ms: f64| Row::new(label, [ms, ms / plain_ms].map(Cell::one).to_vec());
+    let mut rows = vec![row("plain", plain_ms)];
+    for (drawn, drawing) in METHODS.iter().zip(&drawings) {
+        rows.push(match drawing {
+            Ok(_) => row(drawn.label, times.next().unwrap_or(f64::NAN)),
+            Err(refusal) => Row::new(drawn.label, vec![Cell::default().noted(refusal), Cell::default()]),
+        });
+    }
     Ok(Table {
         name: "frames",
         subject: named.name.clone(),
@@ -69,7 +88,7 @@ fn of_mesh(gpu: &Gpu, named: &NamedMesh, rounds: u32, size: [u32; 2], progress: 
                 "over that of plain rendering in the same run",
             ),
         ],
-        rows: labels.zip(times).map(row).collect(),
+        rows,
         ..Table::default()
     })
 }
