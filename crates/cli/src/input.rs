@@ -47,7 +47,10 @@ fn file_name(path: &Path) -> String {
 fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
-        return Ok((argument.to_owned(), LabelledMesh { mesh, labels: None, feature_edges: Vec::new() }));
+        return Ok((
+            argument.to_owned(),
+            LabelledMesh { mesh, labels: None, feature_edges: Vec::new(), notes: Vec::new() },
+        ));
     }
     let path = Path::new(argument);
     let loaded = load::load_labelled(path, progress)?;

@@ -27,6 +27,7 @@
 )]
 
 mod assembly;
+mod concave;
 mod error;
 #[cfg(feature = "obj")]
 mod feature_edges;
@@ -36,6 +37,7 @@ mod from_tobj;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod lines;
+mod notes;
 #[cfg(feature = "obj")]
 mod obj;
 #[cfg(feature = "off")]
@@ -43,6 +45,8 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
+#[cfg(any(feature = "ply", feature = "off"))]
+mod rows;
 mod steps;
 #[cfg(feature = "stl")]
 mod stl;
@@ -52,6 +56,7 @@ pub use error::{LoadError, OneLine, Place, Problem};
 pub use format::Format;
 #[cfg(feature = "tobj")]
 pub use from_tobj::FromTobjError;
+pub use notes::Note;
 
 use self::error::Located;
 use self::steps::Steps;
