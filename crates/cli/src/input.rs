@@ -1,10 +1,10 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
-use silhouette_core::load::{self, LabelledMesh};
+use silhouette_core::load::{self, LabelledMesh, Note};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
 use silhouette_texture::{Textures, siltex};
@@ -13,9 +13,23 @@ use std::sync::Arc;
 
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+    let (mesh, notes) = mesh_with_notes(argument, progress)?;
+    print(argument, &notes);
+    Ok(mesh)
+}
+
+/// The same, with what the reader of the file noted, which is not printed.
+pub fn mesh_with_notes(argument: &str, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
     let (name, loaded) = labelled(argument, progress)?;
     let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
-    Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) })
+    let mesh = Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges));
+    Ok((NamedMesh { name, mesh }, loaded.notes))
+}
+
+fn print(argument: &str, notes: &[Note]) {
+    for about_file in notes {
+        note(format_args!("{argument}: {about_file}"));
+    }
 }
 
 /// The same for what `method` is to draw: a `.siltex` file, too, is a mesh for methods that draw silhouette textures, that of
@@ -68,7 +82,12 @@ pub fn meshes(arguments: &[String], defaults: &[&str], progress: &dyn Progress) 
 
 /// Loads all that are named, each with the labels of its faces.
 pub fn labelled_meshes(arguments: &[String], progress: &dyn Progress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
-    arguments.iter().map(|argument| labelled(argument, progress)).collect()
+    let load = |argument: &String| {
+        let (name, loaded) = labelled(argument, progress)?;
+        print(argument, &loaded.notes);
+        Ok((name, loaded))
+    };
+    arguments.iter().map(load).collect()
 }
 
 /// Different files of the same name go by their paths, as they were given.

@@ -16,7 +16,8 @@ pub enum Note {
         first: Place,
     },
     /// Polygons that cross themselves, so that no triangles cover them, were fanned from their first corner, as if they
-    /// were convex. Some of their triangles fold over others.
+    /// were convex. Some of their triangles fold over others. A simple polygon of thousands of corners may be among them if
+    /// to cut it would take too long.
     CrossingPolygons {
         /// How many.
         count: u64,

@@ -10,6 +10,7 @@ mod obj;
 mod off;
 mod paths;
 mod ply;
+mod polygons;
 mod real_models;
 mod robustness;
 mod stl;

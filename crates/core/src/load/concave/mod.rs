@@ -9,6 +9,7 @@
 //!
 //! A polygon that crosses itself has no such triangles; it remains a fan, and a [`Note`] counts it.
 
+mod box_tree;
 mod ear_clipping;
 mod plane;
 
