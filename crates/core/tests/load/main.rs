@@ -6,6 +6,7 @@ mod feature_edges;
 mod gltf;
 mod gltf_refused;
 mod independent_reader;
+mod mutated;
 mod obj;
 mod off;
 mod paths;

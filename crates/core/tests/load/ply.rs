@@ -214,10 +214,8 @@ fn headers_that_describe_no_mesh_are_refused() {
 
 #[test]
 fn whole_numbers_of_64_bits_are_checked_and_rounded_once() {
-    let rows = format!(
-        "element vertex 3\nproperty uint64 x\nproperty int64 y\nproperty float z\nelement face 1\n\
-         property list uint64 uint64 vertex_indices\n"
-    );
+    let rows = "element vertex 3\nproperty uint64 x\nproperty int64 y\nproperty float z\nelement face 1\n\
+                property list uint64 uint64 vertex_indices\n";
     for encoding in BINARY {
         let file = |length: u64, corner: u64| {
             let mut body = Body::new(encoding);
@@ -228,7 +226,7 @@ fn whole_numbers_of_64_bits_are_checked_and_rounded_once() {
                 body.put(0_f32.to_le_bytes());
             }
             [length, 0, 1, corner].into_iter().for_each(|number| body.put(number.to_le_bytes()));
-            [header(encoding, &rows).into_bytes(), body.bytes].concat()
+            [header(encoding, rows).into_bytes(), body.bytes].concat()
         };
         let mesh = accepted(Ply, file(3, 2));
         assert_eq!(positions(&mesh)[1..], [[1.0, -3.0, 0.0], [((1_u64 << 60) + (1 << 37)) as f32, -3.0, 0.0]]);

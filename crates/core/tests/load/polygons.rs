@@ -2,9 +2,10 @@
 
 use crate::expectations::{accepted, feature_edges, labelled};
 use proptest::prelude::*;
-use silhouette_core::TriangleMesh;
 use silhouette_core::glam::{DVec3, Vec3};
+use silhouette_core::inspect::inspect;
 use silhouette_core::load::{Format, Note};
+use silhouette_core::{Topology, TriangleMesh};
 use std::collections::HashMap;
 
 /// A point of an integer grid, on which areas are exact.
@@ -155,35 +156,31 @@ proptest! {
         check_polygon(&points, &corners)?;
     }
 
-    /// A square around a smaller copy of the polygon as a hole, which a bridge between any of their corners that see each
-    /// other reaches: from the outermost corner of the hole straight out.
+    /// A square with the polygon as a hole, which a bridge between the left side of the square and the leftmost corner of the
+    /// hole reaches. The ends of the bridge are named twice, or are different vertices in the same places.
     #[test]
-    fn bridges_to_holes_are_followed(hole in simple_polygon(), by_id in any::<bool>()) {
-        let mut hole = hole;
+    fn bridges_to_holes_are_followed(polygon in simple_polygon(), by_id in any::<bool>()) {
+        let mut hole = polygon;
         if double_area(&hole) > 0 {
             hole.reverse();
         }
-        let first = (0..hole.len()).min_by_key(|&i| hole[i]).unwrap();
-        hole.rotate_left(first);
+        let leftmost = (0..hole.len()).min_by_key(|&i| hole[i]).unwrap();
+        hole.rotate_left(leftmost);
         let [left, y] = [hole[0][0] - 1, hole[0][1]];
-        let (right, top) = (5000, 5000);
-        // The bridge runs from a corner in the middle of the square's left side.
-        let mut points = vec![[left, y], [left, -5000], [right, -5000], [right, top], [left, top]];
-        let bridge = points.len();
+        let mut points = vec![[left, y], [left, -5000], [5000, -5000], [5000, 5000], [left, 5000]];
+        let bridge = [0, points.len()];
         points.extend(&hole);
-        let mut corners: Vec<usize> = (0..points.len()).collect();
-        if by_id {
-            corners.extend([bridge, 0]);
+        let back = if by_id {
+            bridge
         } else {
-            points.extend([points[bridge], points[0]]);
-            corners.extend([points.len() - 2, points.len() - 1]);
-        }
-        // The ring begins and ends at the bridge: outer side, bridge, hole, bridge.
-        corners[..bridge].rotate_left(1);
-        corners.swap(0, 0);
-        let last = corners.pop().unwrap();
-        let ring: Vec<usize> = [vec![last], (1..bridge).collect(), vec![0], corners[bridge..].to_vec()].concat();
-        check_polygon(&points, &ring)?;
+            points.extend(bridge.map(|end| points[end]));
+            [points.len() - 2, points.len() - 1]
+        };
+        // Around the square, across the bridge, around the hole and back across the bridge.
+        let square = 1..bridge[1];
+        let hole = bridge[1]..bridge[1] + hole.len();
+        let corners: Vec<usize> = square.chain([0]).chain(hole).chain([back[1], back[0]]).collect();
+        check_polygon(&points, &corners)?;
     }
 
     /// Corners that have been lifted off the plane: no triangle is turned over, seen along the polygon's normal.
@@ -223,21 +220,10 @@ fn in_all_formats(positions: &[Vec3]) -> TriangleMesh {
         format!("ply\nformat ascii 1.0\n{header}end_header\n{body}")
     };
     let mesh = accepted(Format::Obj, obj(positions));
-    let face_first: String = obj(positions).lines().rev().map(|line| format!("{line}\n")).collect();
-    let face_first = accepted(Format::Obj, face_first);
-    assert_eq!(face_first.face_count(), mesh.face_count());
     for (format, text) in [(Format::Off, off), (Format::Ply, ply(false)), (Format::Ply, ply(true))] {
         assert_eq!(accepted(format, text), mesh, "{format}");
     }
     mesh
-}
-
-fn total_area(mesh: &TriangleMesh) -> f64 {
-    let area = |t: &[u32; 3]| {
-        let [a, b, c] = t.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
-        (b - a).cross(c - a).length() / 2.0
-    };
-    mesh.triangles().iter().map(area).sum()
 }
 
 /// An L of seven squares, from whichever corner it begins.
@@ -253,7 +239,18 @@ fn an_l_is_covered_in_every_format() {
             check_covers(&ids, &corners, mesh.triangles()).unwrap();
         }
     }
-    assert_eq!(total_area(&in_all_formats(&l.map(|corner| Plane::Above.place(corner)))), 7.0);
+}
+
+/// The negative control: a fan that folds over, a missing triangle and one that is there twice do not pass.
+#[test]
+fn wrong_triangles_are_seen() {
+    let arrow: [Point; 4] = [[4, 4], [0, 2], [-4, 4], [0, 0]];
+    let check = |triangles: &[[u32; 3]]| check_covers(&[0, 1, 2, 3], &arrow, triangles);
+    assert!(check(&[[0, 1, 3], [1, 2, 3]]).is_ok());
+    assert!(check(&[[0, 1, 2], [0, 2, 3]]).is_err());
+    assert!(check(&[[0, 1, 3]]).is_err());
+    assert!(check(&[[0, 1, 3], [0, 1, 3]]).is_err());
+    assert!(check(&[[0, 1, 3], [1, 2, 2]]).is_err());
 }
 
 /// A concave quadrilateral is cut along the diagonal that lies inside, whatever its first corner.
@@ -362,5 +359,36 @@ fn diagonals_of_concave_polygons_are_no_feature_edges() {
         corners.rotate_left(first);
         let text = text.replace("f 1 2 3 4 5 6", &format!("f {}", corners.map(|c: i32| c.to_string()).join(" ")));
         assert_eq!(feature_edges(Format::Obj, text), [[0, 1], [0, 5], [1, 2], [2, 3], [3, 4], [4, 5]]);
+    }
+}
+
+/// The prism over a polygon, its two ends as polygons of the file.
+fn prism(polygon: &[Point]) -> String {
+    let n = polygon.len();
+    let level = |z: i32| polygon.iter().map(move |[x, y]| format!("v {x} {y} {z}\n")).collect::<String>();
+    let corners = |ranks: &mut dyn Iterator<Item = usize>| ranks.map(|rank| format!(" {rank}")).collect::<String>();
+    let sides: String = (0..n)
+        .map(|i| {
+            let [a, b] = [i + 1, (i + 1) % n + 1];
+            format!("f {a} {b} {} {}\n", b + n, a + n)
+        })
+        .collect();
+    let (bottom, top) = (corners(&mut (1..=n).rev()), corners(&mut (n + 1..=2 * n)));
+    format!("{}{}f{bottom}\nf{top}\n{sides}", level(0), level(1))
+}
+
+/// The ends of an L-shaped prism and of a comb cover what their polygons enclose, and no more.
+#[test]
+fn prisms_of_concave_polygons_are_whole() {
+    let l: &[Point] = &[[0, 0], [4, 0], [4, 1], [1, 1], [1, 4], [0, 4]];
+    let comb: Vec<Point> = [[0, 0], [9, 0], [9, 4], [8, 4], [8, 1], [6, 1], [6, 4], [5, 4], [5, 1]]
+        .into_iter()
+        .chain([[3, 1], [3, 4], [2, 4], [2, 1], [1, 1], [1, 4], [0, 4]])
+        .collect();
+    for (polygon, area, volume) in [(l, 30.0, 7.0), (&comb, 86.0, 21.0)] {
+        let mesh = accepted(Format::Obj, prism(polygon));
+        let found = inspect(&mesh, &Topology::new(&mesh));
+        assert!(found.is_closed && found.defects.is_empty(), "{:?}", found.defects);
+        assert_eq!((found.components[0].area, found.components[0].volume), (area, Some(volume)));
     }
 }

@@ -1,5 +1,7 @@
 //! Finds the points of a plane that a triangle may hold.
 
+use glam::DVec2;
+
 /// Points of a leaf: few enough that boxes do not take more time than points.
 const LEAF: usize = 8;
 
@@ -9,14 +11,14 @@ pub(super) struct BoxTree {
     /// Ranks of points, box by box.
     ranks: Vec<u32>,
     /// In preorder.
-    boxes: Vec<Box>,
+    boxes: Vec<NestedBox>,
     /// Ranges of `ranks` that are yet to become boxes, with the box in which they end.
     pending: Vec<Pending>,
 }
 
-struct Box {
-    low: [f64; 2],
-    high: [f64; 2],
+struct NestedBox {
+    low: DVec2,
+    high: DVec2,
     /// The range of ranks inside.
     begin: u32,
     end: u32,
@@ -31,7 +33,7 @@ enum Pending {
 
 impl BoxTree {
     /// Replaces the points by those of these ranks among `points`. O(n log n).
-    pub(super) fn build(&mut self, ranks: impl Iterator<Item = u32>, points: impl Fn(u32) -> [f64; 2]) {
+    pub(super) fn build(&mut self, ranks: impl Iterator<Item = u32>, points: impl Fn(u32) -> DVec2) {
         self.ranks.clear();
         self.ranks.extend(ranks);
         self.boxes.clear();
@@ -45,17 +47,13 @@ impl BoxTree {
                 Pending::Range { begin, end } => (begin, end),
             };
             let inside = &mut self.ranks[begin..end];
-            let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-            for point in inside.iter().map(|&rank| points(rank)) {
-                for axis in 0..2 {
-                    low[axis] = low[axis].min(point[axis]);
-                    high[axis] = high[axis].max(point[axis]);
-                }
-            }
+            let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+            let within = inside.iter().map(|&rank| points(rank));
+            let (low, high) = within.fold(none, |(low, high), point| (low.min(point), high.max(point)));
             self.pending.push(Pending::End { of: self.boxes.len() });
-            self.boxes.push(Box { low, high, begin: begin as u32, end: end as u32, skip: 0 });
+            self.boxes.push(NestedBox { low, high, begin: begin as u32, end: end as u32, skip: 0 });
             if inside.len() > LEAF {
-                let axis = usize::from(high[1] - low[1] > high[0] - low[0]);
+                let axis = usize::from(high.y - low.y > high.x - low.x);
                 let middle = inside.len() / 2;
                 inside.select_nth_unstable_by(middle, |&a, &b| {
                     points(a)[axis].total_cmp(&points(b)[axis]).then(a.cmp(&b))
@@ -76,7 +74,7 @@ impl BoxTree {
     /// some that are near. Each box and point takes a step from `steps_left`; `None` if they do not suffice.
     pub(super) fn any_within(
         &self,
-        triangle: [[f64; 2]; 3],
+        triangle: [DVec2; 3],
         steps_left: &mut u64,
         holds: impl Fn(u32) -> bool,
     ) -> Option<bool> {
@@ -103,26 +101,26 @@ impl BoxTree {
 
 /// A half-plane: where `normal . p >= least`.
 struct HalfPlane {
-    normal: [f64; 2],
+    normal: DVec2,
     least: f64,
 }
 
 impl HalfPlane {
     /// Whether all of a box lies outside.
-    fn is_left_behind(&self, node: &Box) -> bool {
-        let farthest = |axis: usize| if self.normal[axis] > 0.0 { node.high[axis] } else { node.low[axis] };
-        self.normal[0] * farthest(0) + self.normal[1] * farthest(1) < self.least
+    fn is_left_behind(&self, node: &NestedBox) -> bool {
+        let farthest = DVec2::select(self.normal.cmpgt(DVec2::ZERO), node.high, node.low);
+        self.normal.dot(farthest) < self.least
     }
 }
 
 /// Half-planes whose intersection holds a counter-clockwise triangle, its border and what rounding could move there.
-fn triangle_sides(triangle: [[f64; 2]; 3]) -> [HalfPlane; 3] {
+fn triangle_sides(triangle: [DVec2; 3]) -> [HalfPlane; 3] {
     [0, 1, 2].map(|i| {
         let (from, to) = (triangle[i], triangle[(i + 1) % 3]);
-        let normal = [from[1] - to[1], to[0] - from[0]];
-        let size = triangle.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let normal = (to - from).perp();
+        let size = triangle.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
         // Every term and every sum is off by a few units in the last place of the largest product.
-        let slack = 16.0 * f64::EPSILON * size * (normal[0].abs() + normal[1].abs());
-        HalfPlane { normal, least: normal[0] * from[0] + normal[1] * from[1] - slack }
+        let slack = 16.0 * f64::EPSILON * size * (normal.x.abs() + normal.y.abs());
+        HalfPlane { normal, least: normal.dot(from) - slack }
     })
 }
