@@ -1,5 +1,4 @@
-//! Triangles of a simple polygon by ear clipping (Meisters, "Polygons have ears", 1975), with the order of corners and the
-//! tests of Held, "FIST: fast industrial-strength triangulation of polygons", 2001, where corners coincide.
+//! Triangles of a simple polygon by ear clipping (Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975).
 //!
 //! An *ear* is a corner whose triangle with its two neighbours is counter-clockwise and holds no other corner, not even on
 //! its border. Cutting it off leaves a simple polygon of one corner fewer, and a simple polygon of more than three corners
@@ -9,8 +8,7 @@
 //! of a bridge: none of its corners is lost, because neighbouring polygons may need it. Only if there is no ear left are
 //! corners of no area cut off too.
 //!
-//! Departures: candidates wait in a queue instead of being sought around the polygon; corners that a triangle may hold are
-//! found by a tree of boxes instead of a grid; and the work is bounded.
+//! Candidates wait in a queue, a tree of boxes finds the corners that a triangle may hold, and the work is bounded.
 
 use super::box_tree::BoxTree;
 use super::plane::{Point, orientation};
@@ -18,7 +16,7 @@ use std::collections::VecDeque;
 
 /// Corners and boxes looked at, per corner of a polygon, after which it counts as one that crosses itself. A spiral of
 /// 10,000 corners takes 300, one of 100,000 takes 900; the most that was seen is a quarter of the corners, for a comb whose
-/// teeth stand on a line askew to all boxes. Without a bound, a file of a megabyte could take hours.
+/// teeth stand on a line askew to all boxes. Without a bound, work could grow with the square of the corners.
 pub(super) const MOST_STEPS: u64 = 1024;
 
 /// Clips polygons one after another, and keeps its memory between them.
