@@ -13,23 +13,19 @@ use std::sync::Arc;
 
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
-    let (mesh, notes) = mesh_with_notes(argument, progress)?;
-    print(argument, &notes);
-    Ok(mesh)
+    labelled(argument, progress).map(|(name, loaded)| prepared(name, loaded))
 }
 
-/// The same, with what the reader of the file noted, which is not printed.
+/// The same, with what the reader of the file noted instead of printing it.
 pub fn mesh_with_notes(argument: &str, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
-    let (name, loaded) = labelled(argument, progress)?;
-    let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
-    let mesh = Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges));
-    Ok((NamedMesh { name, mesh }, loaded.notes))
+    let (name, mut loaded) = silently_labelled(argument, progress)?;
+    let notes = std::mem::take(&mut loaded.notes);
+    Ok((prepared(name, loaded), notes))
 }
 
-fn print(argument: &str, notes: &[Note]) {
-    for about_file in notes {
-        note(format_args!("{argument}: {about_file}"));
-    }
+fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
+    let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
+    NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) }
 }
 
 /// The same for what `method` is to draw: a `.siltex` file, too, is a mesh for methods that draw silhouette textures, that of
@@ -57,8 +53,16 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The same, with what the file calls its parts: by their materials and groups.
+/// The same, with what the file calls its parts: by their materials and groups. Prints what the reader noted.
 fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+    let (name, loaded) = silently_labelled(argument, progress)?;
+    for about_file in &loaded.notes {
+        note(format_args!("{argument}: {about_file}"));
+    }
+    Ok((name, loaded))
+}
+
+fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
         return Ok((
@@ -82,12 +86,7 @@ pub fn meshes(arguments: &[String], defaults: &[&str], progress: &dyn Progress) 
 
 /// Loads all that are named, each with the labels of its faces.
 pub fn labelled_meshes(arguments: &[String], progress: &dyn Progress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
-    let load = |argument: &String| {
-        let (name, loaded) = labelled(argument, progress)?;
-        print(argument, &loaded.notes);
-        Ok((name, loaded))
-    };
-    arguments.iter().map(load).collect()
+    arguments.iter().map(|argument| labelled(argument, progress)).collect()
 }
 
 /// Different files of the same name go by their paths, as they were given.
