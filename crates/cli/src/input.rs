@@ -1,10 +1,10 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
-use silhouette_core::load::{self, Format, LabelledMesh};
+use silhouette_core::load::{self, Format, LabelledMesh, Note};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
 use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
@@ -16,6 +16,13 @@ use std::sync::Arc;
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
 pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
     labelled(argument, progress).map(|(name, loaded)| prepared(name, loaded))
+}
+
+/// The same, with what the reader of the file noted instead of printing it.
+pub fn mesh_with_notes(argument: &str, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
+    let (name, mut loaded) = silently_labelled(argument, progress)?;
+    let notes = std::mem::take(&mut loaded.notes);
+    Ok((prepared(name, loaded), notes))
 }
 
 fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
@@ -68,11 +75,22 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The same, with what the file calls its parts: by their materials and groups.
+/// The same, with what the file calls its parts: by their materials and groups. Prints what the reader noted.
 fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+    let (name, loaded) = silently_labelled(argument, progress)?;
+    for about_file in &loaded.notes {
+        note(format_args!("{argument}: {about_file}"));
+    }
+    Ok((name, loaded))
+}
+
+fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     if let Some(shape) = argument.strip_prefix(BUILTIN) {
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
-        return Ok((argument.to_owned(), LabelledMesh { mesh, labels: None, feature_edges: Vec::new() }));
+        return Ok((
+            argument.to_owned(),
+            LabelledMesh { mesh, labels: None, feature_edges: Vec::new(), notes: Vec::new() },
+        ));
     }
     if argument == STANDARD_INPUT {
         let name = "standard input";

@@ -18,24 +18,28 @@ struct Document<'a> {
     mesh: &'a str,
     #[serde(flatten)]
     inspection: &'a Inspection,
+    /// What its file's reader has to say, one sentence each.
+    notes: Vec<String>,
 }
 
 /// Runs the command.
 pub fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let progress = TerminalProgress::new();
-    let named = input::mesh(&arguments.mesh, &progress)?;
+    let (named, notes) = input::mesh_with_notes(&arguments.mesh, &progress)?;
+    let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
     let topology = named.mesh.artefact::<Topology>("inspect", &progress)?;
     let inspection = inspect(named.mesh.mesh(), &topology);
     let mut text = if arguments.json {
-        serde_json::to_string_pretty(&Document { mesh: &named.name, inspection: &inspection }).map_err(Failure::run)?
+        let document = Document { mesh: &named.name, inspection: &inspection, notes };
+        serde_json::to_string_pretty(&document).map_err(Failure::run)?
     } else {
-        summary(&named.name, &inspection)
+        summary(&named.name, &inspection, &notes)
     };
     text.push('\n');
     Output::Stdout.write(text.as_bytes())
 }
 
-fn summary(name: &str, found: &Inspection) -> String {
+fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
     let mut text = format!("{name}\n");
     let mut row = |label: &str, value: String| {
         let _ = writeln!(text, "  {label:<16} {value}");
@@ -67,6 +71,9 @@ fn summary(name: &str, found: &Inspection) -> String {
     if let Some(angle) = found.smallest_angle {
         row("smallest angle", format!("{:.3} degrees, face {}", angle.angle_deg, angle.face));
     }
+    for note in notes {
+        let _ = writeln!(text, "  {:<16} {note}", "note");
+    }
     if found.defects.is_empty() {
         text.push_str("  no defects");
     } else {
@@ -84,6 +91,7 @@ fn list_defects(defects: &Defects, text: &mut String) {
         pairs(&defects.non_manifold_edges),
         shown(&defects.non_manifold_vertices),
         pairs(&defects.inconsistent_edges),
+        pairs(&defects.folded_edges),
         shown(&defects.zero_area_faces),
         shown(&defects.repeated_vertex_faces),
         groups(&defects.duplicate_faces),

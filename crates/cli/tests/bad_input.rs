@@ -341,3 +341,24 @@ fn arguments() {
     assert!(refused(&["bake", &mesh]).contains("--output"));
     assert!(refused(&["conjure", &mesh]).contains("conjure"));
 }
+
+/// What a reader leaves out of a file is said once: on stderr, or in what `inspect` prints.
+#[test]
+fn notes_about_a_file_are_printed_once() {
+    let folder = Folder::new();
+    let mesh = folder.file("few.obj", format!("{OBJ}f 1\nf 3 2\n"));
+    let output = silhouettes(&["extract", &mesh, "-o", folder.path("few.json").to_str().unwrap()]);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{stderr}");
+    let note = "2 faces of fewer than three corners were left out (the first: line 5)";
+    assert_eq!(stderr, format!("silhouettes: note: {mesh}: {note}\n"));
+
+    let inspected = silhouettes(&["inspect", &mesh]);
+    let text = String::from_utf8(inspected.stdout).unwrap();
+    assert!(text.contains(note) && inspected.stderr.is_empty(), "{text}");
+    let json: serde_json::Value = serde_json::from_slice(&silhouettes(&["inspect", &mesh, "--json"]).stdout).unwrap();
+    assert_eq!(json["notes"], serde_json::json!([note]));
+    let clean = folder.file("clean.obj", OBJ);
+    let json: serde_json::Value = serde_json::from_slice(&silhouettes(&["inspect", &clean, "--json"]).stdout).unwrap();
+    assert_eq!(json["notes"], serde_json::json!([]));
+}

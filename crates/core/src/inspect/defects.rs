@@ -1,7 +1,7 @@
 //! Everything that is wrong with a mesh, with element ids.
 
 use super::fans::Fans;
-use super::{Sides, faces, vertices};
+use super::{Sides, faces, folds, vertices};
 use crate::id::{EdgeId, FaceId, VertexId};
 
 /// An edge at which something is wrong.
@@ -25,6 +25,9 @@ pub struct Defects {
     pub non_manifold_vertices: Vec<VertexId>,
     /// Interior edges along which both faces run in the same direction, so that they disagree on which side is out.
     pub inconsistent_edges: Vec<EdgeDefect>,
+    /// Interior edges whose two faces lie in one plane and overlap: folds by 180 degrees. Nearly all come from concave
+    /// polygons that were cut into a fan. In one plane means up to the rounding of coordinates to 32 bits.
+    pub folded_edges: Vec<EdgeDefect>,
     /// Faces with collinear corners, by exact arithmetic; those that name a vertex twice included.
     pub zero_area_faces: Vec<FaceId>,
     /// Faces that name a vertex twice.
@@ -39,11 +42,12 @@ pub struct Defects {
 
 impl Defects {
     /// Each kind of defect, in words, with the number of its entries (groups for duplicates).
-    pub fn counts(&self) -> [(&'static str, usize); 8] {
+    pub fn counts(&self) -> [(&'static str, usize); 9] {
         [
             ("non-manifold edges", self.non_manifold_edges.len()),
             ("non-manifold vertices", self.non_manifold_vertices.len()),
             ("inconsistently wound edges", self.inconsistent_edges.len()),
+            ("edges between faces folded onto each other", self.folded_edges.len()),
             ("zero-area faces", self.zero_area_faces.len()),
             ("faces that name a vertex twice", self.repeated_vertex_faces.len()),
             ("groups of duplicate faces", self.duplicate_faces.len()),
@@ -76,8 +80,14 @@ pub(super) fn find(sides: Sides, fans: &Fans) -> Defects {
         };
         match *sides.topology.half_edges(edge) {
             [_] => {}
-            [one, other] if sides.start(one) != sides.start(other) => {}
-            [_, _] => defects.inconsistent_edges.push(report()),
+            [one, other] => {
+                if sides.start(one) == sides.start(other) {
+                    defects.inconsistent_edges.push(report());
+                }
+                if folds::is_fold(sides, edge, [one, other]) {
+                    defects.folded_edges.push(report());
+                }
+            }
             _ => defects.non_manifold_edges.push(report()),
         }
     }

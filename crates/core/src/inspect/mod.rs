@@ -15,6 +15,7 @@ mod components;
 mod defects;
 mod faces;
 mod fans;
+mod folds;
 mod measure;
 mod patches;
 mod vertices;

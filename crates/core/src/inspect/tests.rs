@@ -45,6 +45,48 @@ fn edge_defects(mesh: &TriangleMesh, defects: &[([u32; 2], &[u32])]) -> Vec<Edge
     defects.iter().map(defect).collect()
 }
 
+/// An arrowhead as the fan from its second corner: face 0 folds back over face 1.
+fn folded(place: impl Fn(f32, f32) -> Vec3) -> TriangleMesh {
+    let positions = [(0.0, 0.0), (4.0, 4.0), (0.0, 2.0), (-4.0, 4.0)].map(|(x, y)| place(x, y)).to_vec();
+    TriangleMesh::new(positions, vec![[1, 2, 3], [1, 3, 0]]).unwrap()
+}
+
+#[test]
+fn faces_folded_onto_each_other_are_found() {
+    let [right, up] = [Vec3::new(0.6, 0.3, -0.2), Vec3::new(-0.1, 0.7, 0.9)];
+    let flat = folded(|x, y| Vec3::new(x, y, 7.0));
+    let tilted = folded(|x, y| Vec3::splat(30.0) + right * x + up * y);
+    for mesh in [flat, tilted] {
+        assert_eq!(examine(&mesh).defects.folded_edges, edge_defects(&mesh, &[([1, 3], &[0, 1])]));
+        // Turning one face over makes the winding inconsistent, and leaves the fold.
+        let turned = edited(&mesh, |_, triangles| triangles[0].reverse());
+        let found = examine(&turned).defects;
+        assert_eq!((found.folded_edges.len(), found.inconsistent_edges.len()), (1, 1));
+        // Unfolded, opened to a thin wedge, or cut along the other diagonal, there is no fold.
+        for edit in [
+            (|positions, _| positions[2] = 2.0 * positions[1] - positions[2] + (positions[3] - positions[1]))
+                as fn(&mut Vec<Vec3>, &mut Vec<[u32; 3]>),
+            |positions, _| positions[2] += Vec3::new(0.0, -0.001, 0.001),
+            |_, triangles| triangles.copy_from_slice(&[[0, 1, 2], [0, 2, 3]]),
+        ] {
+            assert_eq!(examine(&edited(&mesh, edit)).defects.folded_edges, []);
+        }
+    }
+}
+
+#[test]
+fn duplicates_and_slivers_are_no_folds() {
+    let triangle = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(0.5, 1e-8, 0.0)];
+    let mesh = TriangleMesh::new(triangle, vec![[0, 1, 2], [1, 0, 2], [0, 1, 3]]).unwrap();
+    assert_eq!(examine(&mesh).defects.folded_edges, []);
+    let sliver = edited(&mesh, |_, triangles| triangles[1..].rotate_left(1));
+    let sliver = edited(&sliver, |_, triangles| triangles.truncate(2));
+    assert_eq!(examine(&sliver).defects.folded_edges, []);
+    for name in BUILTINS {
+        assert_eq!(examine(&builtin(name.name)).defects.folded_edges, [], "{}", name.name);
+    }
+}
+
 #[test]
 fn a_cube_is_described_and_has_no_defect() {
     let found = examine(&builtin("cube"));

@@ -1,6 +1,8 @@
 //! What every reader fills: positions and triangles in file order.
 
-use super::error::{Located, Problem};
+use super::concave::Polygons;
+use super::error::{Located, Place, Problem};
+use super::notes::Note;
 use super::polygon::{fan, sides};
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
@@ -18,6 +20,8 @@ pub struct LabelledMesh {
     /// side of a face in group 0 (`s off`) is sharp, the face being shaded flat. glTF says so by the hard edges of the extension
     /// `EXT_mesh_primitive_edge_visibility`.
     pub feature_edges: Vec<[u32; 2]>,
+    /// What the file's user should know, at most one of each kind.
+    pub notes: Vec<Note>,
 }
 
 /// A mesh under construction.
@@ -29,16 +33,22 @@ pub(super) struct Assembly {
     pub(super) feature_edges: Vec<[u32; 2]>,
     /// From which triangle on which label holds; 0 before the first.
     label_runs: Vec<(usize, u32)>,
+    polygons: Polygons,
+    /// How many faces had fewer than three corners, and where the first one stood.
+    few_corners: Option<(u64, Place)>,
+    pub(super) has_no_end: bool,
 }
 
 impl Assembly {
-    /// Appends a polygon, fanned from its first corner.
-    pub(super) fn polygon(&mut self, face: u64, corners: &[u32]) -> Result<(), Problem> {
+    /// Appends a polygon; [`Assembly::finish`] cuts it into triangles. One of fewer than three corners is left out, with a
+    /// note that names its `place`.
+    pub(super) fn polygon(&mut self, corners: &[u32], place: impl FnOnce() -> Place) {
         if corners.len() < 3 {
-            return Err(Problem::TooFewCorners { face, corners: corners.len() as u64 });
+            self.few_corners.get_or_insert_with(|| (0, place())).0 += 1;
+            return;
         }
+        self.polygons.begin(self.triangles.len(), corners.len());
         fan(corners, &mut self.triangles);
-        Ok(())
     }
 
     /// Says which label the triangles have that follow.
@@ -49,14 +59,18 @@ impl Assembly {
     }
 
     /// The finished mesh.
-    pub(super) fn finish(self) -> Result<LabelledMesh, Located> {
+    pub(super) fn finish(mut self) -> Result<LabelledMesh, Located> {
         if self.triangles.is_empty() {
             return Err(Problem::NoFaces.into());
         }
         let labels = self.labels();
+        let crossing = self.polygons.triangulate(&self.positions, &mut self.triangles);
+        let few_corners = self.few_corners.map(|(count, first)| Note::FewCorners { count, first });
+        let no_end = self.has_no_end.then_some(Note::NoEnd);
+        let notes = few_corners.into_iter().chain(crossing).chain(no_end).collect();
         let feature_edges = edges_among(self.feature_edges, &self.triangles);
         let mesh = TriangleMesh::new(self.positions, self.triangles)?;
-        Ok(LabelledMesh { mesh, labels, feature_edges })
+        Ok(LabelledMesh { mesh, labels, feature_edges, notes })
     }
 
     /// The label of each triangle, if there are two.

@@ -139,14 +139,6 @@ pub enum Problem {
         /// Which vertices may be named, as a clause.
         allowed: String,
     },
-    /// A polygon is no polygon.
-    #[error("face {face} has {corners} corners; give it at least 3 or delete it")]
-    TooFewCorners {
-        /// The face as the file counts it, from 0.
-        face: u64,
-        /// How many corners it has.
-        corners: u64,
-    },
     /// There is no face in the file.
     #[error("the file holds no faces; export the surface too, points and curves alone have no silhouette")]
     NoFaces,

@@ -82,7 +82,11 @@ impl FeatureEdges {
         let ends = self.runs.iter().skip(1).map(|run| run.first).chain([triangles.len()]);
         for (run, end) in self.runs.iter().zip(ends) {
             for polygon in triangles[run.first..end].chunks(run.per_polygon) {
-                grouped.extend(sides_of_fan(polygon).map(|side| (side, run.group)));
+                if is_fan(polygon) {
+                    grouped.extend(sides_of_fan(polygon).map(|side| (side, run.group)));
+                } else {
+                    grouped.extend(unshared_sides(polygon).map(|side| (side, run.group)));
+                }
             }
         }
         grouped.par_sort_unstable();
@@ -92,6 +96,19 @@ impl FeatureEdges {
         };
         grouped.chunk_by(|a, b| a.0 == b.0).filter(is_sharp).map(|at_edge| at_edge[0].0).collect()
     }
+}
+
+/// Whether triangles are the fan of a polygon, as they are unless it is concave.
+fn is_fan(polygon: &[[u32; 3]]) -> bool {
+    polygon.windows(2).all(|pair| pair[0][0] == pair[1][0] && pair[0][2] == pair[1][1])
+}
+
+/// The sides that belong to one triangle of a polygon only: its own, whichever way it was cut into triangles.
+fn unshared_sides(polygon: &[[u32; 3]]) -> impl Iterator<Item = [u32; 2]> {
+    let mut all: Vec<_> = polygon.iter().flat_map(|&triangle| sides(triangle)).collect();
+    all.sort_unstable();
+    let unshared: Vec<_> = all.chunk_by(|a, b| a == b).filter(|equal| equal.len() == 1).map(|equal| equal[0]).collect();
+    unshared.into_iter()
 }
 
 /// The sides of a polygon that has been fanned into these triangles, without its diagonals.

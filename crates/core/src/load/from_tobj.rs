@@ -1,7 +1,8 @@
 //! Meshes that the application has loaded with `tobj` 4.
 
+use super::concave::Polygons;
 use super::polygon::fan;
-use crate::mesh::{MeshError, TriangleMesh};
+use crate::mesh::{MAX_VERTICES, MeshError, TriangleMesh};
 use glam::Vec3;
 
 /// Why models of `tobj` are not a mesh. Faces are counted within their model, points and lines included, from 0.
@@ -47,8 +48,8 @@ impl TriangleMesh {
     /// The mesh of models that the application has loaded with [`tobj`]: one after another, with the vertex ids of each
     /// offset by the vertices of those before it. Cargo feature `tobj`. O(V + F).
     ///
-    /// Faces of four or more corners are fanned from their first corner, as [`load`](crate::load) does; points and lines
-    /// are passed over. With `tobj`'s feature `use_f64`, coordinates are rounded to 32 bits.
+    /// Faces of four or more corners are cut into triangles as [`load`](crate::load) does; points and lines are passed over.
+    /// With `tobj`'s feature `use_f64`, coordinates are rounded to 32 bits.
     ///
     /// `tobj` starts a model at each object, group and material, with its own copy of the vertices, and with `single_index`
     /// also splits vertices along seams of texture coordinates and normals. Silhouettes need the surface in one piece: leave
@@ -71,9 +72,13 @@ impl TriangleMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_tobj(models: &[tobj::Model]) -> Result<Self, FromTobjError> {
-        let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+        let (mut positions, mut triangles, mut polygons) = (Vec::new(), Vec::new(), Polygons::default());
         for model in models {
-            append(model, &mut positions, &mut triangles)?;
+            append(model, &mut positions, &mut triangles, &mut polygons)?;
+        }
+        // Otherwise ids ran out, and the mesh is refused.
+        if positions.len() <= MAX_VERTICES {
+            polygons.triangulate(&positions, &mut triangles);
         }
         Ok(Self::new(positions, triangles)?)
     }
@@ -83,6 +88,7 @@ fn append(
     tobj::Model { mesh, name }: &tobj::Model,
     positions: &mut Vec<Vec3>,
     triangles: &mut Vec<[u32; 3]>,
+    polygons: &mut Polygons,
 ) -> Result<(), FromTobjError> {
     let model = || name.clone();
     let (points, rest) = mesh.positions.as_chunks::<3>();
@@ -111,6 +117,7 @@ fn append(
         }
         polygon.clear();
         polygon.extend(corners.iter().map(|index| first.saturating_add(*index)));
+        polygons.begin(triangles.len(), polygon.len());
         fan(&polygon, triangles);
     }
     Ok(())

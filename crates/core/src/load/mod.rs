@@ -10,16 +10,21 @@
 //!
 //! Applications that have loaded their scene with `tobj` make it a mesh by `TriangleMesh::from_tobj`, cargo feature `tobj`.
 //!
-//! Unreferenced vertices are kept. Polygons are fanned from their first corner. Texture and normal seams never split a
-//! vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
+//! Unreferenced vertices are kept. Convex polygons are fanned from their first corner, other simple polygons are cut into
+//! triangles that cover them once, seen along their normal; so no corner is lost, and neighbours still share their edges.
+//! Faces of one or two corners are left out. Texture and normal seams never split a vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
 //! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials) and which edges are sharp
 //! (OBJ's `s` and `l`, glTF's `EXT_mesh_primitive_edge_visibility`); everything else that a vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
+//!
+//! Lines may end in `\n`, `\r\n` or `\r`. Where a format gives lines no meaning (OFF, text PLY, text STL), rows may be broken or
+//! share lines. What is odd about a file that is read all the same, [`load_labelled`] reports as [`Note`]s.
 //!
 //! Bad files are refused with a [`LoadError`] that names the place and the remedy. A header's promise alone never takes
 //! memory: it is bounded by a small multiple of the bytes that are there, except for a glTF scene that places one mesh many
 //! times.
 //!
-//! Cost: O(bytes), one pass, 150 MB/s of text or more on one core (350 MB/s of short OBJ rows).
+//! Cost: O(bytes), one pass (a second one where rows are broken; for a concave polygon of n corners O(n log n) in most
+//! cases, bounded by 1024 steps per corner), 150 MB/s of text or more on one core (350 MB/s of short OBJ rows).
 
 #![cfg_attr(
     not(all(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")),
@@ -27,6 +32,7 @@
 )]
 
 mod assembly;
+mod concave;
 mod error;
 #[cfg(feature = "obj")]
 mod feature_edges;
@@ -36,6 +42,7 @@ mod from_tobj;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod lines;
+mod notes;
 #[cfg(feature = "obj")]
 mod obj;
 #[cfg(feature = "off")]
@@ -43,6 +50,8 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
+#[cfg(any(feature = "ply", feature = "off"))]
+mod rows;
 mod steps;
 #[cfg(feature = "stl")]
 mod stl;
@@ -52,6 +61,7 @@ pub use error::{LoadError, OneLine, Place, Problem};
 pub use format::Format;
 #[cfg(feature = "tobj")]
 pub use from_tobj::FromTobjError;
+pub use notes::Note;
 
 use self::error::Located;
 use self::steps::Steps;

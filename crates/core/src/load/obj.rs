@@ -3,8 +3,8 @@
 //!
 //! A vertex id is the rank of its `v` row, whatever groups and objects stand between. Of a corner `v/vt/vn` only `v`
 //! counts. A face may name vertices by number from 1, in rows that come later too, or backwards from the row reached so
-//! far (-1 is the vertex last read). A line that names no vertex there joins nothing. A `\` at the end of a row joins the
-//! next one to it.
+//! far (-1 is the vertex last read). A line that names no vertex there joins nothing. A `\` at the end of a row, or before
+//! nothing but spaces, joins the next one to it.
 
 use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem};
@@ -21,7 +21,7 @@ pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, 
     let mut reader = Reader::default();
     while let Some(line) = lines.next_line() {
         let first_number = lines.number();
-        if line.ends_with(b"\\") && !ends_in_comment(line) {
+        if line.trim_ascii_end().ends_with(b"\\") && !ends_in_comment(line) {
             join(line, &mut lines, &mut joined);
             reader.row(Words::new(&joined, first_number))?;
         } else {
@@ -41,7 +41,7 @@ fn ends_in_comment(line: &[u8]) -> bool {
 fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, joined: &mut Vec<u8>) {
     joined.clear();
     let mut line = first;
-    while let Some(continued) = line.strip_suffix(b"\\") {
+    while let Some(continued) = line.trim_ascii_end().strip_suffix(b"\\") {
         joined.extend_from_slice(continued);
         joined.push(b' ');
         line = lines.next_line().unwrap_or_default();
@@ -158,15 +158,18 @@ impl Reader {
             if corner.starts_with(b"#") {
                 break;
             }
-            let vertex = self.resolve(corner, words.line())?;
+            let vertex = self.resolve(corner, &words)?;
             self.corners.push(vertex);
         }
         if let Some(label) = self.sorts.changed_label() {
             self.assembly.begin_label(label);
         }
         let first = self.assembly.triangles.len();
-        self.assembly.polygon(self.faces, &self.corners).map_err(|problem| problem.at_line(words.line()))?;
-        self.feature_edges.polygon(first, self.assembly.triangles.len() - first);
+        self.assembly.polygon(&self.corners, || words.place());
+        let triangles = self.assembly.triangles.len() - first;
+        if triangles > 0 {
+            self.feature_edges.polygon(first, triangles);
+        }
         self.faces += 1;
         Ok(())
     }
@@ -189,18 +192,18 @@ impl Reader {
         u32::try_from(self.rank(number)).ok()
     }
 
-    /// The vertex id that a corner `v/vt/vn` names.
-    fn resolve(&mut self, corner: &[u8], line: u64) -> Result<u32, Located> {
-        let number = vertex_number(corner).map_err(|problem| problem.at_line(line))?;
+    /// The vertex id that a corner `v/vt/vn` names, the word last taken of a row.
+    fn resolve(&mut self, corner: &[u8], words: &Words<'_>) -> Result<u32, Located> {
+        let number = vertex_number(corner).map_err(|problem| words.locate(problem))?;
         if number == 0 {
-            return Err(Problem::VertexZero.at_line(line));
+            return Err(words.locate(Problem::VertexZero));
         }
         let Ok(id) = u32::try_from(self.rank(number)) else {
-            return Err(self.out_of_range(self.faces, number).at_line(line));
+            return Err(words.locate(self.out_of_range(self.faces, number)));
         };
         let known = self.assembly.positions.len();
         if id as usize >= known && self.ahead.as_ref().is_none_or(|ahead| number > ahead.number) {
-            self.ahead = Some(Ahead { number, face: self.faces, line });
+            self.ahead = Some(Ahead { number, face: self.faces, line: words.line() });
         }
         Ok(id)
     }

@@ -2,7 +2,8 @@
 //!
 //! Read are the properties `x`, `y`, `z` of `vertex`, of any number type, and the list `vertex_indices` (or
 //! `vertex_index`), of any integer types, of `face` and of `tristrips`, where -1 ends a strip and begins the next.
-//! Every other property and element is skipped.
+//! Every other property and element is skipped. Rows of text may be broken or share lines, unless they hold more numbers
+//! than their element has properties.
 
 mod header;
 mod values;
@@ -13,6 +14,7 @@ use super::assembly::{Assembly, LabelledMesh, check_promise, vertex_id};
 use super::error::Located;
 use super::lines::Lines;
 use super::polygon::strip;
+use super::rows::read_rows;
 use super::steps::Steps;
 use glam::Vec3;
 
@@ -21,13 +23,16 @@ pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, 
     let mut lines = Lines::new(bytes)?;
     let header = Header::read(&mut lines)?;
     match header.encoding {
-        Encoding::Text => read_elements(&header, &mut TextValues::new(lines), steps),
-        Encoding::LittleEndian => read_elements(&header, &mut BinaryValues::<false>::new(bytes, lines.offset()), steps),
-        Encoding::BigEndian => read_elements(&header, &mut BinaryValues::<true>::new(bytes, lines.offset()), steps),
+        Encoding::Text => read_rows(&lines, false, |rows, promised| {
+            *promised = header.elements.iter().fold(0, |sum, element| element.count.saturating_add(sum));
+            read_elements(&header, TextValues::new(rows), steps)
+        }),
+        Encoding::LittleEndian => read_elements(&header, BinaryValues::<false>::new(bytes, lines.offset()), steps),
+        Encoding::BigEndian => read_elements(&header, BinaryValues::<true>::new(bytes, lines.offset()), steps),
     }
 }
 
-fn read_elements<V: Values>(header: &Header, values: &mut V, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+fn read_elements<V: Values>(header: &Header, mut values: V, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut body = Body { assembly: Assembly::default(), corners: Vec::new(), vertices: header.vertices };
     for element in &header.elements {
         let least = V::least_row(element);
@@ -40,21 +45,22 @@ fn read_elements<V: Values>(header: &Header, values: &mut V, steps: &mut Steps<'
         let rows = rows.map_err(|problem| values.locate(problem))?;
         match element.role {
             Role::Vertices => body.assembly.positions.reserve_exact(rows),
-            // A triangle takes no fewer bytes than its row: no row of fewer than three corners is taken.
+            // A triangle takes no fewer bytes than its row: rows of fewer than three corners become none.
             Role::Faces => body.assembly.triangles.reserve(rows.min(values.remaining() / V::LEAST_TRIANGLE)),
             Role::Strips | Role::Other => {}
         }
         for row in 0..rows {
             values.begin_row(&what, element.count, row as u64)?;
             match element.role {
-                Role::Vertices => body.vertex(element, values)?,
-                Role::Faces => body.face(element, row as u64, values)?,
-                Role::Strips => body.strips(element, row as u64, values)?,
-                Role::Other => skip_row(element, values)?,
+                Role::Vertices => body.vertex(element, &mut values)?,
+                Role::Faces => body.face(element, row as u64, &mut values)?,
+                Role::Strips => body.strips(element, row as u64, &mut values)?,
+                Role::Other => skip_row(element, &mut values)?,
             }
             steps.reach(values.offset())?;
         }
     }
+    values.finish()?;
     body.assembly.finish()
 }
 
@@ -91,7 +97,7 @@ impl Body {
                 let index = values.integer(property.item)?;
                 self.corners.push(vertex_id(index, face, self.vertices).map_err(|problem| values.locate(problem))?);
             }
-            self.assembly.polygon(face, &self.corners).map_err(|problem| values.locate(problem))?;
+            self.assembly.polygon(&self.corners, || values.place());
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 /// Appends the fan of a polygon about its first corner: `[c0, c1, c2], [c0, c2, c3], ...`. O(corners).
 ///
-/// Right for convex polygons; what a concave polygon becomes depends on its first corner, as in every loader that fans.
+/// Right for convex polygons; [`super::concave`] replaces the fans of others.
 pub(super) fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     let Some((&first, rest)) = corners.split_first() else { return };
     triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));

@@ -1,11 +1,12 @@
 //! STL, binary and text: triangles as loose corners, joined where their positions are equal.
 //!
 //! The format has no vertex numbers, so a vertex id is the rank of its position's first appearance; 0.0 and -0.0 are
-//! the same position. Stored normals and attribute bytes are passed over: facing follows from the winding.
+//! the same position. Stored normals and attribute bytes are passed over: facing follows from the winding. Of a text,
+//! lines mean nothing but the end of a solid's name.
 
 use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem, quote};
-use super::lines::{Lines, Words};
+use super::lines::{Words, text_start};
 use super::steps::Steps;
 use crate::weld::ExactPositions;
 use glam::Vec3;
@@ -66,47 +67,138 @@ fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Loca
     joiner.assembly.finish()
 }
 
-/// Text, row by row; several solids one after another are one mesh.
+/// Text, word by word, however the words are spread over lines; several solids one after another are one mesh.
 fn read_text(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
-    let mut lines = Lines::new(bytes)?;
+    let start = text_start(bytes)?;
+    let mut words = Words::new(&bytes[start..], 1);
     let mut joiner = Joiner::default();
     let mut corners: Vec<u32> = Vec::new();
-    let mut faces = 0;
-    let (mut inside, mut complete) = (false, false);
-    while let Some(line) = lines.next_line() {
-        let mut words = Words::new(line, lines.number());
+    // Whether the facet that has begun and not ended has had a loop.
+    let mut facet_has_loop: Option<bool> = None;
+    while !words.is_empty() {
         let word = words.word();
-        let wrong = |expected| Err(Problem::expected(expected, line).at_line(lines.number()));
-        match word.to_ascii_lowercase().as_slice() {
-            b"vertex" if inside => {
+        let keyword = Keyword::of(word, &mut words);
+        let ends_facet = matches!(keyword, Some(Keyword::Facet | Keyword::EndFacet | Keyword::EndSolid));
+        if ends_facet && facet_has_loop.take() == Some(false) {
+            joiner.assembly.polygon(&[], || words.place());
+        }
+        match keyword {
+            Some(Keyword::Solid) => pass_over_name(&mut words),
+            Some(Keyword::EndSolid) => {
+                joiner.assembly.has_no_end = false;
+                pass_over_name(&mut words);
+            }
+            Some(Keyword::Facet) => {
+                facet_has_loop = Some(false);
+                pass_over_normal(&mut words);
+            }
+            Some(Keyword::EndFacet) => {}
+            Some(Keyword::Outer) => {
+                read_loop(&mut words, &mut joiner, &mut corners)?;
+                joiner.assembly.polygon(&corners, || words.place());
+                joiner.assembly.has_no_end = true;
+                facet_has_loop = facet_has_loop.and(Some(true));
+            }
+            _ => return Err(words.locate(Problem::expected("facet, outer loop, endfacet or endsolid", word))),
+        }
+        steps.reach(start + words.offset())?;
+    }
+    if facet_has_loop.is_some() {
+        return Err(words.locate(Problem::expected("endfacet", b"")));
+    }
+    joiner.assembly.finish()
+}
+
+/// Passes over the name of a solid: up to the end of the line, or to what can be no name.
+fn pass_over_name(words: &mut Words<'_>) {
+    let goes_on = |words: &Words<'_>| {
+        let mut ahead = words.clone();
+        let word = ahead.word();
+        let is_facet = || word.eq_ignore_ascii_case(b"facet") && ahead.peek().eq_ignore_ascii_case(b"normal");
+        begins(word, b"endsolid") || is_facet()
+    };
+    while !words.is_at_line_start() && !goes_on(words) {
+        words.word();
+    }
+}
+
+/// Passes over `normal` and three words, if they are there. Some writers spell numbers there that are none.
+fn pass_over_normal(words: &mut Words<'_>) {
+    if !words.peek().eq_ignore_ascii_case(b"normal") {
+        return;
+    }
+    words.word();
+    for _ in 0..3 {
+        if !words.peek().eq_ignore_ascii_case(b"outer") {
+            words.word();
+        }
+    }
+}
+
+/// Reads the vertices of a loop, up to and with its end.
+fn read_loop(words: &mut Words<'_>, joiner: &mut Joiner, corners: &mut Vec<u32>) -> Result<(), Located> {
+    corners.clear();
+    if words.peek().eq_ignore_ascii_case(b"loop") {
+        words.word();
+    }
+    loop {
+        let word = words.word();
+        match Keyword::of(word, words) {
+            Some(Keyword::Vertex) => {
                 let vertex = joiner.assembly.positions.len();
                 let mut coordinate = || words.coordinate(vertex);
                 let position = Vec3::new(coordinate()?, coordinate()?, coordinate()?);
-                corners.push(joiner.corner(position).map_err(|problem| problem.at_line(lines.number()))?);
+                corners.push(joiner.corner(position).map_err(|problem| words.locate(problem))?);
             }
-            b"outer" if !inside => inside = true,
-            b"endloop" if inside => {
-                joiner.assembly.polygon(faces, &corners).map_err(|problem| problem.at_line(lines.number()))?;
-                corners.clear();
-                faces += 1;
-                inside = false;
-            }
-            _ if inside => return wrong("a vertex row or endloop"),
-            b"solid" => complete = false,
-            b"endsolid" => complete = true,
-            b"" | b"facet" | b"endfacet" => {}
-            _ => return wrong("facet, outer loop, endfacet or endsolid"),
+            Some(Keyword::EndLoop) => return Ok(()),
+            _ => return Err(words.locate(Problem::expected("a vertex or endloop", word))),
         }
-        steps.reach(lines.offset())?;
     }
-    if inside {
-        return Err(Problem::expected("a vertex row or endloop", b"").at_line(lines.number()));
+}
+
+/// The words of a text file that are no numbers and no names.
+#[derive(Clone, Copy)]
+enum Keyword {
+    Vertex,
+    Outer,
+    EndLoop,
+    Facet,
+    EndFacet,
+    Solid,
+    EndSolid,
+}
+
+impl Keyword {
+    /// The keyword that a word is, in upper or lower case. The name of a solid may stand against `solid` and `endsolid`.
+    /// An `end` of its own is taken with the word that follows.
+    fn of(word: &[u8], words: &mut Words<'_>) -> Option<Self> {
+        let is = |keyword: &[u8]| word.eq_ignore_ascii_case(keyword);
+        Some(match word.first()?.to_ascii_lowercase() {
+            b'v' if is(b"vertex") => Self::Vertex,
+            b'o' if is(b"outer") || is(b"outerloop") => Self::Outer,
+            b'f' if is(b"facet") => Self::Facet,
+            b's' if begins(word, b"solid") => Self::Solid,
+            b'e' if is(b"endloop") => Self::EndLoop,
+            b'e' if is(b"endfacet") => Self::EndFacet,
+            b'e' if begins(word, b"endsolid") => Self::EndSolid,
+            b'e' if is(b"end") => {
+                let next = words.peek();
+                let end = match () {
+                    () if next.eq_ignore_ascii_case(b"loop") => Self::EndLoop,
+                    () if next.eq_ignore_ascii_case(b"facet") => Self::EndFacet,
+                    () if begins(next, b"solid") => Self::EndSolid,
+                    () => return None,
+                };
+                words.word();
+                end
+            }
+            _ => return None,
+        })
     }
-    if !complete {
-        // Cut between two facets, the rest would look like a whole mesh with a hole.
-        return Err(Problem::expected("a facet or endsolid", b"").at_line(lines.number()));
-    }
-    joiner.assembly.finish()
+}
+/// Whether a word begins with a keyword, in upper or lower case.
+fn begins(word: &[u8], keyword: &[u8]) -> bool {
+    word.get(..keyword.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(keyword))
 }
 
 /// Gives each position one id, in the order of first appearance.

@@ -1,7 +1,7 @@
 //! What the tests of all formats share.
 
 use silhouette_core::glam::Vec3;
-use silhouette_core::load::{Format, LoadError, read, read_labelled};
+use silhouette_core::load::{Format, LabelledMesh, LoadError, read, read_labelled};
 use silhouette_core::{NoProgress, TriangleMesh};
 
 /// Reads bytes that should be a mesh.
@@ -9,14 +9,19 @@ pub fn accepted(format: Format, bytes: impl AsRef<[u8]>) -> TriangleMesh {
     read(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// The same, with all that the file says about the mesh.
+pub fn labelled(format: Format, bytes: impl AsRef<[u8]>) -> LabelledMesh {
+    read_labelled(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// The labels of the faces of bytes that should be a mesh.
 pub fn labels(format: Format, bytes: impl AsRef<[u8]>) -> Option<Vec<u32>> {
-    read_labelled(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}")).labels
+    labelled(format, bytes).labels
 }
 
 /// The feature edges of bytes that should be a mesh.
 pub fn feature_edges(format: Format, bytes: impl AsRef<[u8]>) -> Vec<[u32; 2]> {
-    read_labelled(format, "test", bytes.as_ref(), &NoProgress).unwrap_or_else(|error| panic!("{error}")).feature_edges
+    labelled(format, bytes).feature_edges
 }
 
 /// Reads bytes that should be refused.

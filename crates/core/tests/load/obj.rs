@@ -1,5 +1,5 @@
-use crate::expectations::{accepted, assert_refused, assert_square, labels, positions, refused, square_rows};
-use silhouette_core::load::{Format::Obj, Place, Problem};
+use crate::expectations::{accepted, assert_refused, assert_square, labelled, labels, positions, refused, square_rows};
+use silhouette_core::load::{Format::Obj, Note, Place, Problem};
 
 fn square(faces: &str) -> String {
     square_rows("v ") + faces
@@ -106,9 +106,30 @@ fn coordinates_must_be_finite_numbers() {
 }
 
 #[test]
-fn polygons_need_three_corners() {
-    assert_refused(Obj, square("f 1 2 3\nf 1 2\n"), ", line 6", &["face 1 has 2 corners"]);
-    assert_refused(Obj, square("f\n"), ", line 5", &["face 0 has 0 corners"]);
+fn faces_of_one_or_two_corners_are_left_out_and_counted() {
+    let loaded = labelled(Obj, square("s 1\nf 1\nf 1 2 3\nf 2\nf 4 2\ns 2\nf 1 3 4\nf # none\n"));
+    assert_square(&loaded.mesh);
+    assert_eq!(loaded.notes, [Note::FewCorners { count: 4, first: Place::Line(6) }]);
+    assert_eq!(loaded.feature_edges, [[0, 2]], "groups are those of the faces that are left");
+    assert_eq!(loaded.notes[0].to_string(), "4 faces of fewer than three corners were left out (the first: line 6)");
+    assert_refused(Obj, square("f 1 2 3\nf 1 9\n"), ", line 6", &["face 1", "vertex 9"]);
+    assert_refused(Obj, square("f 1 2\n"), "", &["no faces"]);
+}
+
+#[test]
+fn a_continuation_may_end_in_spaces() {
+    assert_square(&accepted(Obj, square("f 1 2 \\  \t\n3 \\ \r\n 4\n")));
+    assert_square(&accepted(Obj, square("# no continuation \\ \nf 1 2 3 4\n")));
+}
+
+#[test]
+fn lines_may_end_as_on_old_macs() {
+    assert_square(&accepted(Obj, ("# made by hand\n".to_owned() + &square("f 1 2 3 \\\n 4\n")).replace('\n', "\r")));
+    let bad = square("f 1 2 3\n\nf 0 1 2\n");
+    for end in ["\r", "\r\n", "\n"] {
+        assert_refused(Obj, bad.replace('\n', end), ", line 7", &["vertex 0"]);
+    }
+    assert_square(&accepted(Obj, square("f 1 2 3 4").replacen('\n', "\r", 2)));
 }
 
 #[test]

@@ -1,5 +1,5 @@
-use crate::expectations::{accepted, assert_refused, assert_square, square_rows};
-use silhouette_core::load::Format::Off;
+use crate::expectations::{accepted, assert_refused, assert_square, labelled, square_rows};
+use silhouette_core::load::{Format::Off, Note, Place};
 
 fn square(header: &str, faces: &str) -> String {
     header.to_owned() + &square_rows("") + faces
@@ -56,10 +56,50 @@ fn promises_are_checked_against_the_bytes() {
 fn bad_rows_are_refused_at_their_lines() {
     assert_refused(Off, square("OFF\n4 1 0\n", "4 0 1 2 4\n"), ", line 7", &["face 0", "vertex 4", "0 to 3"]);
     assert_refused(Off, square("OFF\n4 1 0\n", "3 0 1 -1\n"), ", line 7", &["vertex -1"]);
-    assert_refused(Off, square("OFF\n4 1 0\n", "2 0 1\n"), ", line 7", &["face 0 has 2 corners"]);
-    assert_refused(Off, square("OFF\n4 1 0\n", "-3 0 1 2\n"), ", line 7", &["face 0 has 0 corners"]);
+    assert_refused(Off, square("OFF\n4 1 0\n", "-3 0 1 2\n"), ", line 7", &["number of corners", "\"-3\""]);
     assert_refused(Off, square("OFF\n4 1 0\n", "4 0 1 2\n"), ", line 7", &["a vertex number", "nothing"]);
     assert_refused(Off, square("OFF\n4 1 0\n", "4000000000 0 1 2\n"), ", line 7", &["a vertex number", "nothing"]);
     assert_refused(Off, "OFF\n1 1 0\n0 1e39 0\n3 0 0 0\n", ", line 3", &["vertex 0", "1e39"]);
     assert_refused(Off, square("OFF\n4 0 0\n", ""), "", &["no faces"]);
+}
+
+#[test]
+fn counts_may_stand_anywhere() {
+    for header in ["OFF4 1 4\n", "OFF\n4\n1\n0\n", "OFF\n4\n\n1 # faces\n0\n", "OFF 4\n1 0\n", "4\n1\n0\n", "NOFF4 1\n"]
+    {
+        assert_square(&accepted(Off, square(header, "4 0 1 2 3\n")));
+    }
+}
+
+#[test]
+fn rows_may_be_broken_or_share_lines() {
+    let text = square("OFF\n4 2 5\n", "3 0 1 2\n3 0 2 3\n");
+    assert_square(&accepted(Off, text.replace('\n', "  ")));
+    assert_square(&accepted(Off, text.replace(' ', "\n")));
+    assert_square(&accepted(Off, text.replace("0 0 0\n1 0 0", "0 0 0 1 0 0")));
+    assert_square(&accepted(Off, text.replace("1 1 0", "1 1 # and\n0")));
+    assert_square(&accepted(Off, text.replace('\n', "\r")));
+}
+
+#[test]
+fn no_word_of_a_stream_is_left_over() {
+    let line = square("OFF 4 2 5\n", "3 0 1 2\n3 0 2 3\n").replace('\n', " ");
+    assert_refused(Off, line.clone() + "3", ", line 1", &["the end of the file", "\"3\""]);
+    assert_refused(Off, line.replace("4 2 5", "4 3 5"), ", line 1", &["3 faces", "at most 2"]);
+    assert_refused(Off, line.replace("3 0 2 3", "3 0\n2 x"), ", line 2", &["vertex number", "\"x\""]);
+}
+
+/// A row that is too short must not take numbers from the next one, unless the whole file then comes out even.
+#[test]
+fn short_rows_take_nothing_from_the_next() {
+    let text = square("OFF\n4 2 5\n", "3 0 1 2\n3 0 2 3\n");
+    assert_refused(Off, text.replace("1 1 0", "1 1"), ", line 5", &["a coordinate", "nothing"]);
+    assert_refused(Off, text.replace("3 0 1 2", "3 0 1"), ", line 7", &["a vertex number", "nothing"]);
+}
+
+#[test]
+fn faces_of_one_or_two_corners_are_left_out_and_counted() {
+    let loaded = labelled(Off, square("OFF\n4 4 0\n", "2 0 1\n4 0 1 2 3\n0\n1 3\n"));
+    assert_square(&loaded.mesh);
+    assert_eq!(loaded.notes, [Note::FewCorners { count: 3, first: Place::Line(7) }]);
 }

@@ -7,7 +7,7 @@ use silhouette_core::NoProgress;
 use silhouette_core::load::{Format, read};
 
 /// Good files of every format and encoding.
-fn good_files() -> Vec<(Format, Vec<u8>)> {
+pub fn good_files() -> Vec<(Format, Vec<u8>)> {
     let obj = square_rows("v ") + "o a\ns 1\nf 1/1 2/2 -2 \\\n4\ns off\nf 1 2 3\nl 1 -3 4/1\n";
     let off = "OFF\n4 2 0\n".to_owned() + &square_rows("") + "4 0 1 2 3\n3 0 1 2\n";
     let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
@@ -50,7 +50,7 @@ fn check(format: Format, bytes: &[u8]) -> Result<(), TestCaseError> {
 }
 
 /// Words that sit where readers make decisions: huge, negative, odd, missing.
-const WORDS: [&str; 14] = [
+pub const WORDS: [&str; 20] = [
     "4294967295",
     "-1",
     "0",
@@ -65,6 +65,12 @@ const WORDS: [&str; 14] = [
     "/",
     "\0",
     "\u{ff}",
+    "\r",
+    " \\ \n",
+    "OFF",
+    "18446744073709551615",
+    "end loop",
+    "endsolid",
 ];
 
 proptest! {

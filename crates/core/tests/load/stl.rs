@@ -1,5 +1,5 @@
-use crate::expectations::{SQUARE, SQUARE_FAN, accepted, assert_refused, assert_square, positions};
-use silhouette_core::load::Format::Stl;
+use crate::expectations::{SQUARE, SQUARE_FAN, accepted, assert_refused, assert_square, labelled, positions};
+use silhouette_core::load::{Format::Stl, Note, Place};
 
 /// A binary file of these triangles, with wrong normals and non-zero attributes.
 pub fn binary(header: &[u8], triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
@@ -95,10 +95,72 @@ fn text_out_of_order_is_refused_at_its_line() {
     let whole = text(&square());
     assert_refused(Stl, whole.replacen("endloop", "end", 1), ", line 7", &["endloop", "end"]);
     assert_refused(Stl, whole.replacen("outer loop", "inner", 1), ", line 3", &["outer loop", "inner"]);
-    assert_refused(Stl, whole.trim_end().trim_end_matches(|c| c != '\n'), ", line 15", &["endsolid", "nothing"]);
     let facet = whole.find("endfacet").unwrap();
-    assert_refused(Stl, &whole[..facet], ", line 8", &["endsolid", "nothing"]);
+    assert_refused(Stl, &whole[..facet], ", line 7", &["endfacet", "nothing"]);
+    assert_refused(Stl, "solid x\nfacet normal 0 0 1\n", ", line 2", &["endfacet", "nothing"]);
     assert_refused(Stl, "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", ", line 4", &["endloop", "nothing"]);
-    assert_refused(Stl, "solid x\nfacet\nouter loop\nvertex 0 0 0\nendloop\n", ", line 5", &["face 0 has 1 corners"]);
+    assert_refused(Stl, whole.replacen("vertex", "vertices", 1), ", line 4", &["a vertex or endloop", "vertices"]);
     assert_refused(Stl, "solid x\nendsolid x\n", "", &["no faces"]);
+}
+
+/// The facets of the square on lines of their own, or all on one, with words of two parts and names of all kinds.
+#[test]
+fn lines_mean_nothing_to_facets() {
+    let whole = text(&square());
+    let one_line = whole.replace('\n', " ");
+    let facet_per_line = whole.replace('\n', " ").replace("  facet", "\nfacet").replace("endsolid", "\nendsolid");
+    let broken = whole.replace("a name with spaces", "").replace(' ', "\n");
+    let two_parts =
+        whole.replace("endloop", "end loop").replace("endfacet", "End\nFacet").replace("endsolid", "end solid");
+    for text in [
+        one_line,
+        facet_per_line,
+        broken,
+        two_parts,
+        whole.replace('\n', "\r"),
+        whole.replace("outer loop", "outerloop"),
+    ] {
+        let loaded = labelled(Stl, &text);
+        assert_square(&loaded.mesh);
+        assert_eq!(loaded.notes, [], "{text}");
+    }
+}
+
+#[test]
+fn names_are_passed_over() {
+    let whole = text(&square());
+    for (solid, endsolid) in [
+        ("solid", "endsolid"),
+        ("solidAssimpScene", "endsolidAssimpScene"),
+        ("solid my facet endloop", "endsolid my solid facet"),
+        ("SOLID vertex", "EndSolid outer loop\n\n"),
+    ] {
+        let text = whole.replace("endsolid a name with spaces", endsolid).replace("solid a name with spaces", solid);
+        assert_square(&accepted(Stl, &text));
+        let both = text.repeat(2);
+        assert_eq!(accepted(Stl, &both).face_count(), 4, "{both}");
+        assert_eq!(accepted(Stl, both.replace('\n', "  ")).face_count(), 4, "{both}");
+    }
+}
+
+#[test]
+fn a_missing_end_is_noted() {
+    let whole = text(&square());
+    let cut = &whole[..whole.find("endsolid").unwrap()];
+    let loaded = labelled(Stl, cut);
+    assert_square(&loaded.mesh);
+    assert_eq!(loaded.notes, [Note::NoEnd]);
+    let loaded = labelled(Stl, whole.clone() + cut);
+    assert_eq!((loaded.mesh.face_count(), loaded.notes), (4, vec![Note::NoEnd]));
+    assert_eq!(labelled(Stl, cut.to_owned() + &whole).notes, [], "several solids may share an end");
+}
+
+#[test]
+fn facets_without_three_vertices_are_left_out_and_counted() {
+    let few =
+        "facet normal 0 0 1\nendfacet\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 1 1 endloop endfacet\n";
+    let text = text(&square()).replacen("facet", &format!("{few}facet"), 1);
+    let loaded = labelled(Stl, &text);
+    assert_eq!(loaded.mesh.face_count(), 2);
+    assert_eq!(loaded.notes, [Note::FewCorners { count: 2, first: Place::Line(3) }]);
 }

@@ -20,6 +20,8 @@ pub(super) enum Number {
     U16,
     I32,
     U32,
+    I64,
+    U64,
     F32,
     F64,
 }
@@ -33,6 +35,8 @@ impl Number {
             b"ushort" | b"uint16" => Self::U16,
             b"int" | b"int32" => Self::I32,
             b"uint" | b"uint32" => Self::U32,
+            b"int64" => Self::I64,
+            b"uint64" => Self::U64,
             b"float" | b"float32" => Self::F32,
             b"double" | b"float64" => Self::F64,
             _ => return None,
@@ -45,7 +49,7 @@ impl Number {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 => 2,
             Self::I32 | Self::U32 | Self::F32 => 4,
-            Self::F64 => 8,
+            Self::I64 | Self::U64 | Self::F64 => 8,
         }
     }
 
@@ -155,9 +159,7 @@ fn read_element(words: &mut Words<'_>) -> Result<Element, Located> {
         b"tristrips" => Role::Strips,
         _ => Role::Other,
     };
-    let written = words.clone().word();
-    let count = words.integer(EXPECTED)?;
-    let count = u64::try_from(count).map_err(|_| Problem::expected(EXPECTED, written).at_line(words.line()))?;
+    let count = words.count(EXPECTED)?;
     Ok(Element { name: quote(name), role, count, properties: Vec::new(), line: words.line() })
 }
 
@@ -167,7 +169,7 @@ fn read_property(role: Role, words: &mut Words<'_>) -> Result<Property, Located>
         Number::named(name).ok_or_else(|| Problem::expected("a number type of PLY", name).at_line(words.line()))
     };
     let mut length = None;
-    if words.clone().word() == b"list" {
+    if words.peek() == b"list" {
         words.word();
         length = Some(number(words)?);
     }

@@ -1,8 +1,8 @@
 //! The numbers of a PLY body, stored as text or in binary.
 
 use super::header::{Element, Number};
-use crate::load::error::{Located, Problem, quote};
-use crate::load::lines::{Lines, Words};
+use crate::load::error::{Located, Place, Problem, quote};
+use crate::load::rows::Rows;
 
 /// A body read number by number, in the order of the header's properties.
 pub(super) trait Values {
@@ -25,21 +25,27 @@ pub(super) trait Values {
     fn remaining(&self) -> usize;
     /// Bytes read, the header included.
     fn offset(&self) -> usize;
+    /// Where reading has come to.
+    fn place(&self) -> Place;
+    /// Refuses what is left behind the last row, if nothing may be.
+    fn finish(self) -> Result<(), Located>;
+
     /// Puts a problem where reading has come to.
-    fn locate(&self, problem: Problem) -> Located;
+    fn locate(&self, problem: Problem) -> Located {
+        Located { place: Some(self.place()), problem }
+    }
 }
 
 const LENGTH: &str = "the length of a list";
 
-/// Numbers as text, one row per line. Blank lines are passed over, as are words behind the last property.
+/// Numbers as text.
 pub(super) struct TextValues<'a> {
-    lines: Lines<'a>,
-    row: Words<'a>,
+    rows: Rows<'a>,
 }
 
 impl<'a> TextValues<'a> {
-    pub(super) fn new(lines: Lines<'a>) -> Self {
-        Self { row: Words::new(b"", lines.number()), lines }
+    pub(super) fn new(rows: Rows<'a>) -> Self {
+        Self { rows }
     }
 }
 
@@ -53,35 +59,27 @@ impl Values for TextValues<'_> {
     }
 
     fn begin_row(&mut self, what: &str, promised: u64, done: u64) -> Result<(), Located> {
-        loop {
-            let Some(line) = self.lines.next_line() else {
-                let problem = Problem::Promise { what: what.to_owned(), promised, possible: done };
-                return Err(problem.at_line(self.lines.number()));
-            };
-            self.row = Words::new(line, self.lines.number());
-            if !self.row.is_empty() {
-                return Ok(());
-            }
+        if self.rows.next_row() {
+            return Ok(());
         }
+        Err(self.locate(Problem::Promise { what: what.to_owned(), promised, possible: done }))
     }
 
     fn coordinate(&mut self, _number: Number, vertex: usize) -> Result<f32, Located> {
-        self.row.coordinate(vertex)
+        self.rows.words().coordinate(vertex)
     }
 
     fn integer(&mut self, _number: Number) -> Result<i64, Located> {
-        self.row.integer("a vertex number")
+        self.rows.words().integer("a vertex number")
     }
 
     fn list_length(&mut self, _number: Number, _item: Number) -> Result<u64, Located> {
-        let written = self.row.clone().word();
-        let length = self.row.integer(LENGTH)?;
-        u64::try_from(length).map_err(|_| self.locate(Problem::expected(LENGTH, written)))
+        self.rows.words().count(LENGTH)
     }
 
     fn skip(&mut self, _number: Number, count: u64) -> Result<(), Located> {
         for _ in 0..count {
-            if self.row.word().is_empty() {
+            if self.rows.words().word().is_empty() {
                 return Err(self.locate(Problem::expected("a number for each property", b"")));
             }
         }
@@ -89,15 +87,19 @@ impl Values for TextValues<'_> {
     }
 
     fn remaining(&self) -> usize {
-        self.lines.remaining()
+        self.rows.remaining()
     }
 
     fn offset(&self) -> usize {
-        self.lines.offset()
+        self.rows.offset()
     }
 
-    fn locate(&self, problem: Problem) -> Located {
-        problem.at_line(self.row.line())
+    fn place(&self) -> Place {
+        self.rows.place()
+    }
+
+    fn finish(self) -> Result<(), Located> {
+        self.rows.finish()
     }
 }
 
@@ -148,8 +150,9 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
         let value = match number {
             Number::F32 => f64::from(f32::from_le_bytes(self.take()?)),
             Number::F64 => f64::from_le_bytes(self.take()?),
-            // Exact: integers of at most 32 bits.
-            _ => self.integer(number)? as f64,
+            // Rounded once, not by way of 64-bit floats.
+            Number::U64 => return Ok(u64::from_le_bytes(self.take()?) as f32),
+            _ => return Ok(self.integer(number)? as f32),
         };
         finite(value, vertex).map_err(|problem| problem.at_byte(start))
     }
@@ -162,6 +165,13 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
             Number::U16 => i64::from(u16::from_le_bytes(self.take()?)),
             Number::I32 => i64::from(i32::from_le_bytes(self.take()?)),
             Number::U32 => i64::from(u32::from_le_bytes(self.take()?)),
+            Number::I64 => i64::from_le_bytes(self.take()?),
+            Number::U64 => {
+                let value = u64::from_le_bytes(self.take()?);
+                i64::try_from(value).map_err(|_| {
+                    self.locate(Problem::expected("a whole number below 2^63", value.to_string().as_bytes()))
+                })?
+            }
             Number::F32 | Number::F64 => return Err(self.locate(Problem::expected("an integer type", b"a float type"))),
         })
     }
@@ -174,7 +184,7 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
                 Problem::Expected { expected: LENGTH, found: quote(length.to_string().as_bytes()) }.at_byte(start)
             );
         };
-        let needed = length * item.size() as u64;
+        let needed = length.saturating_mul(item.size() as u64);
         if needed > self.remaining() as u64 {
             return Err(self.truncated(needed));
         }
@@ -198,8 +208,12 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
         self.offset
     }
 
-    fn locate(&self, problem: Problem) -> Located {
-        problem.at_byte(self.offset)
+    fn place(&self) -> Place {
+        Place::Byte(self.offset as u64)
+    }
+
+    fn finish(self) -> Result<(), Located> {
+        Ok(())
     }
 }
 
