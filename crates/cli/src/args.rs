@@ -2,6 +2,7 @@
 
 use crate::camera::{CameraArguments, UpAxisArgument};
 use crate::lines::LinesArguments;
+use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use silhouette_compare::Profile;
@@ -166,6 +167,8 @@ pub struct ExtractArguments {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
+    pub orient: OrientArgument,
+    #[command(flatten)]
     pub camera: CameraArguments,
 }
 
@@ -188,6 +191,8 @@ pub struct RenderArguments {
     /// Output file (.png)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub orient: OrientArgument,
     #[command(flatten)]
     pub camera: CameraArguments,
 }
@@ -224,6 +229,8 @@ pub struct BakeArguments {
     /// An option of the method texture; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    #[command(flatten)]
+    pub orient: OrientArgument,
     /// Output file: .siltex
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
@@ -277,6 +284,8 @@ pub struct CompareArguments {
     /// The axis that the camera's path is around, and that points up [default: that of the scene]
     #[arg(long, value_enum, value_name = "AXIS")]
     pub up_axis: Option<UpAxisArgument>,
+    #[command(flatten)]
+    pub orient: OrientArgument,
     /// Draw each mesh simplified to at most N faces, and measure filled pictures against all of it
     #[arg(long, value_name = "N")]
     pub simplify: Option<NonZeroUsize>,

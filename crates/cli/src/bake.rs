@@ -5,6 +5,7 @@ use crate::failure::{self, Failure};
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
+use crate::winding::Winding;
 use silhouette_compare::machine::describe_program;
 use silhouette_core::{Method, MethodOptions};
 use silhouette_texture::bake::BakeError;
@@ -27,7 +28,7 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     let inputs: Vec<&str> = [&arguments.mesh].into_iter().chain(&arguments.hull).map(String::as_str).collect();
     Output::create(Some(path), &inputs)?;
     let progress = TerminalProgress::new();
-    let named = input::mesh(&arguments.mesh, &progress)?;
+    let named = input::mesh(&arguments.mesh, arguments.orient.winding(true), &progress)?;
     let mesh = named.mesh.mesh();
     let failed = |error: TextureError| match error {
         TextureError::Bake(error @ BakeError::Checkpoint { .. }) => Failure::Input(error.to_string()),
@@ -38,7 +39,7 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     let start = Instant::now();
     let hull = match &arguments.hull {
         Some(given) => {
-            let hull = input::mesh(given, &progress)?;
+            let hull = input::mesh(given, Winding::AsItIs, &progress)?;
             let checked = Hull::checked(mesh, hull.mesh.mesh().clone());
             checked.map_err(|error| Failure::Input(format!("{given}: {error}")))?
         }

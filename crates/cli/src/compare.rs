@@ -5,6 +5,8 @@ use crate::failure::{self, Failure};
 use crate::input;
 use crate::output::check_writable;
 use crate::progress::TerminalProgress;
+use crate::render::draws_itself;
+use crate::winding::Winding;
 use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
 use silhouette_compare::scaling::read_rows;
 use silhouette_compare::scene::{MeshSpec, Scene};
@@ -23,7 +25,8 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
         peers.extend(read_rows(path).map_err(Failure::input)?);
     }
     let progress = TerminalProgress::new();
-    let subjects = subjects(config.scene(), &progress)?;
+    let depends = config.methods().iter().any(|choice| draws_itself(&choice.entry));
+    let subjects = subjects(config.scene(), arguments.orient.winding(depends), &progress)?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
     let mut comparison = run_comparison(&config, &subjects, &gpu, &progress).map_err(failed)?;
     for cell in &comparison.left_out {
@@ -68,15 +71,15 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
 }
 
 /// Loads the meshes of a scene, simplifies those that are to be drawn so, and loads those that others stand for.
-fn subjects(scene: &Scene, progress: &dyn Progress) -> Result<Vec<Subject>, Failure> {
+fn subjects(scene: &Scene, winding: Winding, progress: &dyn Progress) -> Result<Vec<Subject>, Failure> {
     let names: Vec<String> = scene.meshes.iter().map(|spec| spec.mesh().to_owned()).collect();
-    let meshes = input::meshes(&names, &[], progress)?;
+    let meshes = input::meshes(&names, &[], winding, progress)?;
     let subject = |(mesh, spec): (NamedMesh, &MeshSpec)| {
         if let Some(faces) = spec.simplify() {
             let refused = |fault| Failure::Input(format!("{}: {fault}", mesh.name));
             return Subject::simplified(&mesh, faces).map_err(refused);
         }
-        let load = |name: &str| input::mesh(name, progress).map(|truth| Arc::clone(truth.mesh.mesh()));
+        let load = |name: &str| input::mesh(name, winding, progress).map(|truth| Arc::clone(truth.mesh.mesh()));
         Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
     };
     meshes.into_iter().zip(&scene.meshes).map(subject).collect()

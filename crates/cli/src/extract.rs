@@ -80,7 +80,8 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let options = OptionValues::parse(info.options, arguments.method.set.iter().map(String::as_str))?;
     let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
-    let NamedMesh { name, mesh } = input::welded(&arguments.mesh, arguments.weld, &progress)?;
+    let NamedMesh { name, mesh } =
+        input::welded(&arguments.mesh, arguments.weld, arguments.orient.winding(false), &progress)?;
     let bounds = mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{name}: has no face")))?;
     let viewpoint = arguments.camera.viewpoint(&bounds)?;
 
@@ -109,7 +110,7 @@ fn edges_of_every_view(arguments: &ExtractArguments) -> Result<(), Failure> {
     }
     let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
-    let mesh = input::welded(&arguments.mesh, arguments.weld, &progress)?;
+    let mesh = input::welded(&arguments.mesh, arguments.weld, arguments.orient.winding(false), &progress)?;
     if mesh.mesh.mesh().face_count() == 0 {
         return Err(Failure::Input(format!("{}: has no face", mesh.name)));
     }

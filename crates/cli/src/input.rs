@@ -1,6 +1,7 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
 use crate::failure::{Failure, note};
+use crate::winding::Winding;
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::scene::BUILTIN;
@@ -14,8 +15,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
-pub fn mesh(argument: &str, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
-    labelled(argument, progress).map(|(name, loaded)| prepared(name, loaded))
+pub fn mesh(argument: &str, winding: Winding, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+    labelled(argument, winding, progress).map(|(name, loaded)| prepared(name, loaded))
 }
 
 /// The same, with what the reader of the file noted instead of printing it.
@@ -31,11 +32,17 @@ fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
 }
 
 /// The same with vertices joined that are no farther apart than a distance, if there is one.
-pub fn welded(argument: &str, distance: Option<f32>, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
-    let (name, mut loaded) = labelled(argument, progress)?;
+pub fn welded(
+    argument: &str,
+    distance: Option<f32>,
+    winding: Winding,
+    progress: &dyn Progress,
+) -> Result<NamedMesh, Failure> {
+    let (name, mut loaded) = labelled(argument, Winding::AsItIs, progress)?;
     if let Some(distance) = distance {
         weld(&mut loaded, distance)?;
     }
+    winding.apply(&name, &mut loaded);
     Ok(prepared(name, loaded))
 }
 
@@ -52,12 +59,17 @@ pub fn weld(loaded: &mut LabelledMesh, distance: f32) -> Result<(), Failure> {
 
 /// The same for what `method` is to draw: a `.siltex` file, too, is a mesh for methods that draw silhouette textures, that of
 /// its hull.
-pub fn drawable(argument: &str, method: &Entry, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+pub fn drawable(
+    argument: &str,
+    method: &Entry,
+    winding: Winding,
+    progress: &dyn Progress,
+) -> Result<NamedMesh, Failure> {
     let path = Path::new(argument);
     if argument.starts_with(BUILTIN)
         || path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("siltex"))
     {
-        return mesh(argument, progress);
+        return mesh(argument, winding, progress);
     }
     if !method.info().needs.contains(&Textures::NAME) {
         return Err(Failure::Input(format!(
@@ -76,11 +88,12 @@ fn file_name(path: &Path) -> String {
 }
 
 /// The same, with what the file calls its parts: by their materials and groups. Prints what the reader noted.
-fn labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
-    let (name, loaded) = silently_labelled(argument, progress)?;
+fn labelled(argument: &str, winding: Winding, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+    let (name, mut loaded) = silently_labelled(argument, progress)?;
     for about_file in &loaded.notes {
         note(format_args!("{argument}: {about_file}"));
     }
+    winding.apply(&name, &mut loaded);
     Ok((name, loaded))
 }
 
@@ -126,17 +139,22 @@ fn format_of(bytes: &[u8]) -> Format {
 }
 
 /// Loads all that are named, or `defaults` where none is.
-pub fn meshes(arguments: &[String], defaults: &[&str], progress: &dyn Progress) -> Result<Vec<NamedMesh>, Failure> {
+pub fn meshes(
+    arguments: &[String],
+    defaults: &[&str],
+    winding: Winding,
+    progress: &dyn Progress,
+) -> Result<Vec<NamedMesh>, Failure> {
     let defaults: Vec<String> = defaults.iter().map(|&name| name.to_owned()).collect();
     let named = if arguments.is_empty() { &defaults[..] } else { arguments };
-    let mut meshes = named.iter().map(|argument| mesh(argument, progress)).collect::<Result<Vec<_>, _>>()?;
+    let mut meshes = named.iter().map(|argument| mesh(argument, winding, progress)).collect::<Result<Vec<_>, _>>()?;
     tell_apart(&mut meshes, named);
     Ok(meshes)
 }
 
 /// Loads all that are named, each with the labels of its faces.
 pub fn labelled_meshes(arguments: &[String], progress: &dyn Progress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
-    arguments.iter().map(|argument| labelled(argument, progress)).collect()
+    arguments.iter().map(|argument| labelled(argument, Winding::AsItIs, progress)).collect()
 }
 
 /// Different files of the same name go by their paths, as they were given.
@@ -162,7 +180,7 @@ mod tests {
         let path = folder.path().join("bent.obj");
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
         std::fs::write(&path, format!("{square}s 1\nf 1 2 3\ns 2\nf 1 3 4\n")).unwrap();
-        let loaded = mesh(path.to_str().unwrap(), &NoProgress).unwrap();
+        let loaded = mesh(path.to_str().unwrap(), Winding::AsItIs, &NoProgress).unwrap();
         assert_eq!(loaded.mesh.feature_edges(), [[VertexId::new(0), VertexId::new(2)]]);
     }
 

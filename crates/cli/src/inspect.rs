@@ -55,6 +55,9 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
         holds(found.is_orientable, "orientable", "not orientable"),
     ];
     row("surface", kinds.join(", "));
+    if found.inside_out_faces > 0 {
+        row("inside out", format!("{} of {} faces; --orient turns them", found.inside_out_faces, found.faces));
+    }
     row("components", found.components.len().to_string());
     row("genus", found.genus.map_or_else(|| "undefined".to_owned(), |genus| genus.to_string()));
     row("Euler number", found.euler_characteristic.to_string());
@@ -75,7 +78,7 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
         let _ = writeln!(text, "  {:<16} {note}", "note");
     }
     if found.defects.is_empty() {
-        text.push_str("  no defects");
+        text.push_str(if found.inside_out_faces > 0 { "  no other defects" } else { "  no defects" });
     } else {
         text.push_str("  defects");
         list_defects(&found.defects, &mut text);

@@ -32,6 +32,7 @@ mod render;
 mod reproduce;
 mod smooth;
 mod spoken;
+mod winding;
 
 pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 

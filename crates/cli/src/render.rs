@@ -31,12 +31,17 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let options = OptionValues::parse(entry.info().options, words)?;
     let output = Output::create(Some(path), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
-    let named = input::drawable(&arguments.mesh, entry, &progress)?;
+    let named = input::drawable(&arguments.mesh, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
     let (size, pen_width_px) = (camera.size(), arguments.width);
     let style = FrameStyle { size, pen_width_px, samples: arguments.samples, ground };
     output.write(&png(entry, &options, &named, &camera, style, &progress)?)
+}
+
+/// Whether a method draws what faces outwards say, other than edges, which are the same for a mesh that is inside out.
+pub fn draws_itself(entry: &Entry) -> bool {
+    entry.capabilities().lines || entry.capabilities().fill
 }
 
 /// The picture of one view by one method, its lines where it yields any, as a PNG file. Prints what its user should know of it.

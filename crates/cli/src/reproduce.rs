@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{Output, check_writable};
 use crate::progress::TerminalProgress;
+use crate::winding::Winding;
 use silhouette_papers::{ALL, Paper, Run, check_target, find, terminal, write};
 use silhouette_render::{AdapterChoice, Gpu};
 use std::path::Path;
@@ -22,7 +23,7 @@ fn run_paper(paper: &'static Paper, arguments: &ReproduceArguments, directory: &
     check_target(directory).map_err(Failure::input)?;
     check_writable(directory)?;
     let progress = TerminalProgress::new();
-    let meshes = input::meshes(&arguments.meshes, paper.default_meshes, &progress)?;
+    let meshes = input::meshes(&arguments.meshes, paper.default_meshes, Winding::AsItIs, &progress)?;
     let open = || AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu);
     let gpu = paper.needs_gpu.then(open).transpose()?;
     let run = Run { profile: arguments.profile.into(), meshes: &meshes, gpu: gpu.as_ref(), progress: &progress };

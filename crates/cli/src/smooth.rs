@@ -8,6 +8,7 @@ use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
 use crate::render;
+use crate::winding::Winding;
 use silhouette_compare::drawing::{FrameStyle, Ground, pictures_of};
 use silhouette_compare::metrics::PictureKind;
 use silhouette_compare::registry::{Capabilities, Entry, Prepared, Registry};
@@ -54,7 +55,7 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
     let options = OptionValues::parse(info.options, arguments.set.iter().map(String::as_str))?;
     let output = Output::create(Some(&arguments.output), &[&arguments.mesh])?;
     let progress = TerminalProgress::new();
-    let named = input::mesh(&arguments.mesh, &progress)?;
+    let named = input::mesh(&arguments.mesh, Winding::AsItIs, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
 

@@ -26,6 +26,7 @@ pub mod facing_memo;
 pub mod feature_edges;
 pub mod heal;
 pub mod id;
+pub mod inside_out;
 pub mod inspect;
 pub mod line_style;
 pub mod load;

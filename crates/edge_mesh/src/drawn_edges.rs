@@ -5,7 +5,7 @@
 //! left to chance and changes nothing: its lines have one colour each kind, and depth decides between them.
 
 use crate::chunks::ChunkIndices;
-use crate::edge_record::{Bend, EdgeRecord};
+use crate::edge_record::{Bend, EdgeRecord, OfBackFaces};
 use silhouette_core::FaceId;
 use silhouette_gpu::MeshTooLarge;
 use silhouette_gpu::kit::{bind_layout, buffers_group, compute_pipeline, storage_buffer, storage_entry, workgroups};
@@ -17,15 +17,6 @@ pub struct DrawnEdges {
     pub silhouettes: Vec<u32>,
     /// Ridges and valleys that are no silhouettes.
     pub features: Vec<(u32, Bend)>,
-}
-
-/// What is drawn of back faces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct OfBackFaces {
-    /// Boundary edges.
-    pub boundaries: bool,
-    /// Features between two of them, which a closed mesh hides.
-    pub features: bool,
 }
 
 /// The records that are drawn, at rest. O(E).

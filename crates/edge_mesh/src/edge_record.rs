@@ -38,6 +38,15 @@ pub struct Feature {
     pub is_given: bool,
 }
 
+/// What is drawn of back faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OfBackFaces {
+    /// Boundary edges.
+    pub boundaries: bool,
+    /// Features between two of them, which a closed mesh hides.
+    pub features: bool,
+}
+
 /// An edge between two faces, or a boundary edge. An edge with k faces, 3 or more, has k - 1 records, one for each two faces that
 /// follow each other in the topology's list: if not all of them face the same way, some two neighbours do not either.
 #[repr(C)]

@@ -99,7 +99,6 @@ mod lines;
 mod method;
 pub mod oct_normal;
 pub mod options;
-mod outward;
 #[cfg(feature = "gpu")]
 mod pipelines;
 #[cfg(feature = "gpu")]

@@ -1,8 +1,9 @@
 //! Steps 2 to 4 on the device, for one renderer. Stage of step 4: `shaders/edge_mesh/lines.wgsl`.
 
 use crate::chunks::{ChunkIndices, chunks, point_bits};
-use crate::drawn_edges::{DrawnEdgesStage, DrawnLists, OfBackFaces};
+use crate::drawn_edges::{DrawnEdgesStage, DrawnLists};
 use crate::edge_buffers::EdgeBuffers;
+use crate::edge_record::OfBackFaces;
 use crate::face_planes::FacePlanes;
 use crate::method::EdgeMesh;
 use crate::options::{CreasesChoice, EdgeMeshOptions, FacingChoice, PathChoice};

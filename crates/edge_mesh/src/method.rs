@@ -1,9 +1,9 @@
 //! [`EdgeMesh`]: what the method says of itself, its preparation, and the edges that it extracts.
 
-use crate::drawn_edges::OfBackFaces;
-use crate::edge_record::{EdgeRecord, MOST_ELEMENTS};
+use crate::builder;
+use crate::edge_record::{EdgeRecord, MOST_ELEMENTS, OfBackFaces};
 use crate::options::{BoundariesChoice, EdgeMeshOptions, PathChoice};
-use crate::{builder, outward};
+use silhouette_core::inside_out::inside_out_faces;
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge;
@@ -67,6 +67,7 @@ impl Method for EdgeMesh {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         progress.check()?;
         let built = builder::build(mesh, &topology, options);
+        let is_outward = built.is_closed && !inside_out_faces(mesh.mesh(), &topology).contains(&true);
         Ok(Self {
             mesh: Arc::clone(mesh.mesh()),
             topology,
@@ -74,7 +75,7 @@ impl Method for EdgeMesh {
             records: built.records.into(),
             features: built.features,
             is_closed: built.is_closed,
-            is_outward: built.is_closed && outward::is_outward(mesh.mesh()),
+            is_outward,
             facings: FaceFacings::default(),
             #[cfg(feature = "gpu")]
             on_devices: crate::edge_buffers::OnDevices::default(),
@@ -128,7 +129,7 @@ impl EdgeMesh {
         self.is_closed
     }
 
-    /// Whether, besides, each connected part of the mesh encloses a volume above 0 at rest, so that its faces point outwards.
+    /// Whether, besides, no connected part of the mesh is inside out at rest, so that its faces point outwards.
     pub fn is_outward(&self) -> bool {
         self.is_outward
     }

@@ -48,7 +48,7 @@
 //! Each file lists where it departs from the paper, and why; printed formulas stay available as options with the value
 //! `as-printed`. Beside them:
 //!
-//! 1. Parts that are wound inside out are turned ([`outward`]).
+//! 1. Parts that are wound inside out are turned ([`silhouette_core::inside_out`]).
 //! 2. Feature polylines end at sharp turns (option `corner`), so that the corners of a sheet stay.
 //! 3. Curves of features are output as well, and chained ([`curves`]).
 //!
@@ -78,7 +78,6 @@ pub mod feature_samples;
 pub mod feature_segments;
 pub mod hermite;
 pub mod options;
-pub mod outward;
 pub mod perturbation;
 pub mod remeshing;
 pub mod sampling;

@@ -1,11 +1,11 @@
 //! [`ShadingMesh`]: a mesh with its feature edges and shading normals, as all methods of this crate take it.
 
-use crate::outward::inside_out_faces;
 use crate::shading_normals::{Groups, NormalWeights, shading_normals};
 use crate::view_mesh::Origin;
 use silhouette_core::feature_edges::feature_edges;
 use silhouette_core::glam::Vec3;
 use silhouette_core::id::{HalfEdgeId, PerEdge};
+use silhouette_core::inside_out::inside_out_faces;
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
 use std::ops::Range;
 use std::sync::Arc;

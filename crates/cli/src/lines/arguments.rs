@@ -3,6 +3,7 @@
 use crate::args::bend;
 use crate::camera::CameraArguments;
 use crate::failure::Failure;
+use crate::winding::OrientArgument;
 use clap::{Args, ValueEnum};
 use silhouette_visibility::plot::{
     Cap, Colour, Dash, Fit, Hidden, Join, Length, Page, Pen, Pens, PlotOptions, Sheet, Unit,
@@ -40,6 +41,8 @@ pub struct LinesArguments {
     /// boundaries; joins vertices as --weld does [--heal alone: a millionth of the mesh's largest extent]
     #[arg(long, value_name = "DISTANCE", num_args = 0..=1, require_equals = true, default_missing_value = "auto")]
     pub heal: Option<HealDistance>,
+    #[command(flatten)]
+    pub orient: OrientArgument,
     /// Report on standard error what was found, how long each stage took and how far the lifted pen travels
     #[arg(long)]
     pub stats: bool,

@@ -105,6 +105,8 @@ fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec
             heal(name, loaded, distance)?;
         }
     }
+    let winding = arguments.orient.winding(true);
+    meshes.iter_mut().for_each(|(name, loaded)| winding.apply(name, loaded));
     Ok(meshes)
 }
 

@@ -30,6 +30,7 @@ pub use faces::has_zero_area;
 pub use measure::{EdgeLengths, Extent, SmallestAngle};
 
 use crate::id::{EdgeId, HalfEdgeId};
+use crate::inside_out::inside_out_faces;
 use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
 
@@ -52,6 +53,8 @@ pub struct Inspection {
     pub is_consistently_wound: bool,
     /// Whether reversing some faces would make them agree. A Möbius strip is not orientable.
     pub is_orientable: bool,
+    /// Faces of parts that are wound inside out: exact for closed parts, a guess for open ones. The faces of a cavity count, too.
+    pub inside_out_faces: usize,
     /// Referenced vertices - edges + faces.
     pub euler_characteristic: i64,
     /// Sum of the components' genera; `None` if one of them has none, or there is no face.
@@ -96,6 +99,7 @@ pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
         is_closed: mesh.face_count() > 0 && boundary_loops.is_empty(),
         is_manifold: defects.non_manifold_edges.is_empty() && defects.non_manifold_vertices.is_empty(),
         is_consistently_wound: defects.inconsistent_edges.is_empty(),
+        inside_out_faces: inside_out_faces(mesh, topology).into_iter().filter(|&is_inside_out| is_inside_out).count(),
         is_orientable: components.iter().all(|component| component.is_orientable),
         euler_characteristic: referenced as i64 - edges as i64 + mesh.face_count() as i64,
         genus: components.iter().map(|component| component.genus).reduce(|a, b| Some(a? + b?)).flatten(),

@@ -1,8 +1,11 @@
-//! Which faces have to be turned for their normals to point outwards: section II takes that for granted, and scans and exports
-//! do not always keep to it.
+//! Which faces have to be turned for their normals to point outwards: many methods take that for granted, and scans and exports do
+//! not always keep to it.
 
-use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{DisjointSets, EdgeId, FaceId, Topology, TriangleMesh};
+use crate::disjoint_sets::DisjointSets;
+use crate::id::{EdgeId, FaceId};
+use crate::mesh::TriangleMesh;
+use crate::topology::Topology;
+use glam::{DVec3, Vec3};
 
 /// For each face whether it belongs to a part that is wound inside out. A part is what consistently wound pairs of faces join;
 /// it is inside out if the volume between it and its centre is negative, which is exact for closed parts and a guess for open
@@ -35,6 +38,17 @@ pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
     (0..mesh.face_count() as u32).map(|face| parts[sets.find(face) as usize].volume < 0.0).collect()
 }
 
+/// The mesh with the faces turned for which `is_turned` says so; ids stay as they are. O(V + F).
+///
+/// # Panics
+/// If there are not as many answers as faces.
+pub fn turned(mesh: &TriangleMesh, is_turned: &[bool]) -> TriangleMesh {
+    assert_eq!(is_turned.len(), mesh.face_count(), "one answer per face");
+    let triangles = mesh.triangles().iter().zip(is_turned);
+    let triangles = triangles.map(|(&[a, b, c], &is_turned)| if is_turned { [a, c, b] } else { [a, b, c] }).collect();
+    TriangleMesh::new(mesh.positions().to_vec(), triangles).expect("the corners are those of a mesh")
+}
+
 #[derive(Debug, Clone, Copy, Default)]
 struct Part {
     area: f64,
@@ -45,7 +59,7 @@ struct Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::shapes;
+    use crate::shapes;
 
     #[test]
     fn each_part_is_judged_by_itself_far_from_the_origin_too() {
@@ -59,5 +73,8 @@ mod tests {
         let turned = inside_out_faces(&both, &Topology::new(&both));
         let faces = sphere.face_count();
         assert!(turned[..faces].iter().all(|turned| !turned) && turned[faces..].iter().all(|turned| *turned));
+        let mended = super::turned(&both, &turned);
+        assert!(!inside_out_faces(&mended, &Topology::new(&mended)).contains(&true));
+        assert_eq!(mended.triangles()[..faces], both.triangles()[..faces], "what was right stays");
     }
 }

@@ -1,0 +1,62 @@
+//! `--orient`, and the note that says where it helps: faces that point inwards.
+
+use crate::failure::note;
+use clap::Args;
+use silhouette_core::Topology;
+use silhouette_core::inside_out::{inside_out_faces, turned};
+use silhouette_core::load::LabelledMesh;
+
+/// Which way faces are wanted to point.
+#[derive(Debug, Clone, Copy, PartialEq, Args)]
+pub struct OrientArgument {
+    /// Turn parts that are wound inside out, so that faces point outwards: exact for closed parts, a guess for open ones; a cavity
+    /// of a hollow body is turned, too
+    #[arg(long)]
+    pub orient: bool,
+}
+
+/// What is done about faces that point inwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Winding {
+    /// Nothing: the result does not depend on it.
+    AsItIs,
+    /// The user is told, as the result depends on it.
+    Noted,
+    /// They are turned.
+    Turned,
+}
+
+impl OrientArgument {
+    /// What is done where the result depends on the winding or does not.
+    pub fn winding(self, matters: bool) -> Winding {
+        match (self.orient, matters) {
+            (true, _) => Winding::Turned,
+            (false, true) => Winding::Noted,
+            (false, false) => Winding::AsItIs,
+        }
+    }
+}
+
+impl Winding {
+    /// Turns the faces of a mesh, or notes that they should be.
+    pub fn apply(self, name: &str, loaded: &mut LabelledMesh) {
+        if self == Self::AsItIs {
+            return;
+        }
+        let mesh = &loaded.mesh;
+        let is_inside_out = inside_out_faces(mesh, &Topology::new(mesh));
+        let (count, faces) = (is_inside_out.iter().filter(|&&turned| turned).count(), mesh.face_count());
+        if count == 0 {
+            return;
+        }
+        if self == Self::Turned {
+            loaded.mesh = turned(mesh, &is_inside_out);
+            note(format_args!("{name}: {count} of {faces} faces were turned, so that they point outwards"));
+        } else {
+            note(format_args!(
+                "{name}: {count} of {faces} faces are in parts that are wound inside out (cavities count), so that lines may be \
+                 drawn that are hidden; --orient turns them"
+            ));
+        }
+    }
+}

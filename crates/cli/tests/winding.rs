@@ -1,0 +1,59 @@
+//! Meshes that are wound inside out, and `--orient`.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn run(arguments: &[&str]) -> Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_silhouettes")).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+fn notes(output: &Output) -> String {
+    let lines = std::str::from_utf8(&output.stderr).unwrap().lines();
+    lines.filter(|line| line.starts_with("silhouettes: note: ")).collect()
+}
+
+/// A cube that is inside out, and beside it one that is not.
+fn write_cubes(path: &Path) {
+    let corner =
+        |cube: u32, at: u32| [f64::from(at & 1) + 3.0 * f64::from(cube), f64::from(at >> 1 & 1), f64::from(at >> 2)];
+    let mut obj = String::new();
+    for cube in 0..2 {
+        for at in 0..8 {
+            let [x, y, z] = corner(cube, at);
+            obj += &format!("v {x} {y} {z}\n");
+        }
+    }
+    let quads = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
+    for [a, b, c, d] in quads {
+        obj += &format!("f {d} {c} {b} {a}\nf {} {} {} {}\n", a + 8, b + 8, c + 8, d + 8);
+    }
+    std::fs::write(path, obj).unwrap();
+}
+
+#[test]
+fn inside_out_parts_are_noted_where_it_matters_and_turned_on_demand() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, svg] = ["cubes.obj", "lines.svg"].map(|name| folder.path().join(name));
+    write_cubes(&mesh);
+    let [mesh, svg] = [&mesh, &svg].map(|path| path.to_str().unwrap());
+
+    let text = String::from_utf8(run(&["inspect", mesh]).stdout).unwrap();
+    assert!(text.contains("12 of 24 faces; --orient turns them") && text.contains("no other defects"), "{text}");
+    let noted = notes(&run(&["lines", mesh, "-o", svg]));
+    assert!(
+        noted.contains("12 of 24 faces are in parts that are wound inside out") && noted.contains("--orient"),
+        "{noted}"
+    );
+    let turned = notes(&run(&["lines", mesh, "--orient", "-o", svg]));
+    assert!(turned.contains("12 of 24 faces were turned"), "{turned}");
+    assert_eq!(notes(&run(&["extract", mesh])), "", "the same edges are silhouettes either way");
+    assert_eq!(notes(&run(&["lines", "builtin:torus", "--orient", "-o", svg])), "", "nothing to turn");
+
+    let glb = folder.path().join("turned.glb");
+    let glb = glb.to_str().unwrap();
+    run(&["extract", mesh, "--orient", "-o", glb]);
+    let text = String::from_utf8(run(&["inspect", glb]).stdout).unwrap();
+    assert!(!text.contains("inside out") && text.contains("24"), "{text}");
+}
