@@ -3,8 +3,8 @@
 //!
 //! 1. `printed`: what the paper prints. `subjects`: meshes and their hulls. `baked`: a subject with its texture.
 //! 2. `drawn`: pictures and what they score. `timed`: frames of several methods in turn.
-//! 3. `table_one`: Table 1. `sampling`: sections 3.2 and 3.3. `compressed`: Fig. 10. `distances`: Fig. 11. `outlines`: Figs. 6, 13
-//!    and 14.
+//! 3. `table_one`: Table 1. `sampling`: sections 3.2 and 3.3. `compressed`: Fig. 10. `distances`: Fig. 11. `magnified`: Fig. 12.
+//!    `outlines`: Figs. 6, 13 and 14. `lines`: Fig. 15.
 //! 4. `against_lod`, with the cargo feature `simplify`: the map of who wins against levels of detail, at equal bytes
 //!    (`equal_bytes`) and at equal wrong area (`equal_area`).
 
@@ -18,6 +18,8 @@ mod drawn;
 mod equal_area;
 #[cfg(feature = "simplify")]
 mod equal_bytes;
+mod lines;
+mod magnified;
 mod outlines;
 mod printed;
 mod sampling;
@@ -126,7 +128,9 @@ fn measure(run: &Run<'_>) -> Result<Measured, PaperError> {
             outlines::by_hull(gpu, &first.of.subject, extent.views, options(extent.many_side), progress)?;
         let (resolution, left_out) = outlines::by_resolution(gpu, &first.of, extent.views, extent.side, progress)?;
         notes.extend(left_out);
-        Ok((vec![outlines, sampling, compressed, hulls, resolution], pictures, notes))
+        let magnified = magnified::measure(gpu, first, progress)?;
+        let lines = lines::measure(gpu, first, extent.views, progress)?;
+        Ok((vec![outlines, sampling, compressed, magnified, hulls, resolution, lines], pictures, notes))
     };
     let (tables, pictures, notes) = figures().map_err(of_first)?;
     measured.tables.extend(tables);
