@@ -54,7 +54,9 @@ impl Failure {
         let (message, code) = match self {
             Self::Input(message) => (message, 2),
             Self::Run(message) => (message, 1),
-            Self::Interrupted => (&"interrupted; no result was written".to_owned(), interrupt::EXIT_CODE),
+            Self::Interrupted => {
+                (&"interrupted; what was in progress was not written".to_owned(), interrupt::EXIT_CODE)
+            }
         };
         // Where stderr is closed there is nobody to tell; the exit code still says it.
         let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));

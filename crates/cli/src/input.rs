@@ -1,6 +1,7 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
 use crate::failure::{Failure, note};
+use crate::interrupt;
 use crate::winding::Winding;
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
@@ -108,7 +109,7 @@ fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String,
     if argument == STANDARD_INPUT {
         let name = "standard input";
         let mut bytes = Vec::new();
-        let read = std::io::stdin().lock().read_to_end(&mut bytes);
+        let read = interrupt::while_waiting(|| std::io::stdin().lock().read_to_end(&mut bytes));
         read.map_err(|error| Failure::Input(format!("{name}: {error}; name a file")))?;
         return Ok((name.to_owned(), load::read_labelled(format_of(&bytes), name, &bytes, progress)?));
     }
@@ -122,18 +123,20 @@ pub const STANDARD_INPUT: &str = "-";
 
 /// The format that a file without a name begins as; OBJ, which has no sign of its own, where it is none of the others.
 fn format_of(bytes: &[u8]) -> Format {
-    let text = bytes.trim_ascii_start();
-    let first_word = text.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+    const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+    let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start();
+    let word = text.split(u8::is_ascii_whitespace).next().unwrap_or_default().to_ascii_lowercase();
     // Binary STL has a head of 80 bytes, then the number of its triangles, of 50 bytes each.
     let count = bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
     let is_binary_stl = count.is_some_and(|count| bytes.len() as u64 == 84 + 50 * u64::from(count));
-    match first_word {
+    // Letters of what vertices carry stand before the keyword of OFF, counts may stand against it.
+    let carried = word.iter().take_while(|letter| b"stcn4".contains(letter)).count();
+    match &word[..] {
         _ if is_binary_stl => Format::Stl,
         b"ply" => Format::Ply,
-        word if word.starts_with(b"glTF") || word.starts_with(b"{") => Format::Gltf,
+        word if word.starts_with(b"gltf") || word.starts_with(b"{") => Format::Gltf,
         word if word.starts_with(b"solid") => Format::Stl,
-        // The magic may be glued to the counts, and have letters of what vertices carry before it.
-        word if word.windows(3).any(|letters| letters == b"OFF") => Format::Off,
+        word if word[carried..].starts_with(b"off") => Format::Off,
         _ => Format::Obj,
     }
 }
@@ -192,6 +195,10 @@ mod tests {
             ("NOFF 3 1 0", Format::Off),
             ("OFF8 6 0", Format::Off),
             ("solid x\nfacet", Format::Stl),
+            ("\u{feff}SOLID x\nfacet", Format::Stl),
+            ("\u{feff}ply\n", Format::Ply),
+            ("STOFF\n", Format::Off),
+            ("#OFFICE export\nv 0 0 0", Format::Obj),
             ("  {\"asset\":{}}", Format::Gltf),
             ("glTF\u{2}\0\0\0", Format::Gltf),
             ("# made by hand\nv 0 0 0", Format::Obj),

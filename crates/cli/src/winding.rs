@@ -18,9 +18,9 @@ pub struct OrientArgument {
 /// What is done about faces that point inwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Winding {
-    /// Nothing: the result does not depend on it.
+    /// Nothing: the result does not depend on them.
     AsItIs,
-    /// The user is told, as the result depends on it.
+    /// They are reported, as the result depends on them.
     Noted,
     /// They are turned.
     Turned,

@@ -285,6 +285,7 @@ fn arguments_of_lines(mesh: &str) {
         (&["--dash", "hidden=2mm,1mm"], "--hidden"),
         (&["--colour", "reddish"], "#1a2b3c"),
         (&["--colour", "#ff000080"], "opaque"),
+        (&["--scale", "2", "--mesh-unit", "m", "--ortho", "fit"], "1:100"),
         (&["--scale", "1:0", "--ortho", "fit"], "1:100"),
         (&["--dash", "2mm,1mm"], "hidden="),
         (&["--dash", "hidden=2mm"], "two lengths"),

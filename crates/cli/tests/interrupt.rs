@@ -17,6 +17,9 @@ fn an_interrupted_command_says_so_and_leaves_nothing() {
     assert!(interrupted.success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
-    assert_eq!(String::from_utf8(output.stderr).unwrap(), "silhouettes: interrupted; no result was written\n");
+    assert_eq!(
+        String::from_utf8(output.stderr).unwrap(),
+        "silhouettes: interrupted; what was in progress was not written\n"
+    );
     assert_eq!(folder.path().read_dir().unwrap().count(), 0);
 }

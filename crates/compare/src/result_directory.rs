@@ -199,7 +199,7 @@ impl StagedDirectory {
     /// own manifest lists them.
     ///
     /// # Errors
-    /// [`DirectoryError`]; what was at the place before is still there.
+    /// [`DirectoryError`]; what was at the place before is still there, or beside it, named `.old`, where only its removal failed.
     pub fn commit(mut self) -> Result<(), DirectoryError> {
         let manifest =
             Manifest { version: env!("CARGO_PKG_VERSION").to_owned(), files: std::mem::take(&mut self.files) };
@@ -250,7 +250,7 @@ fn remove(directory: &Path, manifest: &Manifest, kind: DirectoryKind) -> Result<
         let path = directory.join(name);
         match fs::remove_file(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(at(&path)(error)),
-            _ => folders.extend(Path::new(name).parent().map(|parent| directory.join(parent))),
+            _ => folders.extend(Path::new(name).ancestors().skip(1).map(|folder| directory.join(folder))),
         }
     }
     // A folder sorts before what it holds.

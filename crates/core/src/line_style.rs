@@ -17,7 +17,7 @@ crate::option_choice! {
 }
 
 impl WidthUnitChoice {
-    /// The unit, on paper of `dpi` pixels an inch.
+    /// The unit, on paper of `dpi` pixels per inch.
     pub fn with_dpi(self, dpi: f64) -> WidthUnit {
         match self {
             Self::Pixels => WidthUnit::Pixels,
@@ -49,7 +49,7 @@ pub enum WidthUnit {
     World,
     /// Millimetres of paper.
     Millimetres {
-        /// Pixels an inch.
+        /// Pixels per inch.
         dpi: f64,
     },
     /// Hundredths of the viewport's height.

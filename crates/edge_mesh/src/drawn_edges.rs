@@ -1,8 +1,8 @@
 //! Step 3, compacted: lists of the edges that are drawn, made on the device. Stage: `shaders/edge_mesh/drawn_edges.wgsl`;
 //! [`drawn_edges`] is its twin.
 //!
-//! Silhouettes and features have lists of their own, with room for all edges, so that nothing overflows. The order within a list is
-//! left to chance and changes nothing: its lines have one colour each kind, and depth decides between them.
+//! Silhouettes and features have lists of their own, with room for all edges, so that nothing overflows. Entries are unordered,
+//! which changes nothing: there is one colour per kind, and depth decides between lines.
 
 use crate::chunks::ChunkIndices;
 use crate::edge_record::{Bend, EdgeRecord, OfBackFaces};

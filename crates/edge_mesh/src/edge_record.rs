@@ -43,7 +43,7 @@ pub struct Feature {
 pub struct OfBackFaces {
     /// Boundary edges.
     pub boundaries: bool,
-    /// Features between two of them, which a closed mesh hides.
+    /// Features between two of them, which a closed mesh seen from outside hides.
     pub features: bool,
 }
 

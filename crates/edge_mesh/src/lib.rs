@@ -39,7 +39,7 @@
 //!
 //! # Which edges
 //! *Silhouettes*: edges whose faces differ in facing, and boundary edges of front faces. At rest these are the edges that brute
-//! force finds, for every view. With `boundaries=all` a sheet has an outline from behind, too. *Ridges* and *valleys*: convex and concave
+//! force finds, for every view, but around faces without area, which take the facing of a neighbour here. With `boundaries=all` a sheet has an outline from behind, too. *Ridges* and *valleys*: convex and concave
 //! edges whose faces' normals make at least an angle, each with its own threshold, width and colour; both are off by default.
 //! *Creases*: edges that the mesh's file marks as sharp, drawn as ridges or valleys (`creases=given`). Silhouettes come last and
 //! cover the others. Silhouettes lie beyond the front face, ridges and valleys on both sides of their edge.
@@ -48,7 +48,7 @@
 //! For the same mesh in every frame: games, viewers, many instances. It needs the topology once. Without adjacency, or when it
 //! changes, `image-precision` draws the same lines from triangles alone.
 //!
-//! - `path=compacted`, the default: raster cost follows the edges that are drawn. Faster on every device with compute stages.
+//! - `path=compacted`, the default: raster cost follows the edges that are drawn. Faster on llvmpipe at every size measured.
 //! - `path=vertex-stage`: one draw and no storage that a stage writes, as the article has it; about four vertices per edge of the mesh.
 //! - `facing=exact`, the default: facings of a mesh at rest are exact, 1 bit per face uploaded when the viewpoint changes. Once
 //!   positions are replaced, and with `facing=device`, the device decides in 32 bits, and the CPU does nothing per vertex or face.

@@ -3,7 +3,6 @@
 use crate::chunks::{ChunkIndices, chunks, point_bits};
 use crate::drawn_edges::{DrawnEdgesStage, DrawnLists};
 use crate::edge_buffers::EdgeBuffers;
-use crate::edge_record::OfBackFaces;
 use crate::face_planes::FacePlanes;
 use crate::method::EdgeMesh;
 use crate::options::{CreasesChoice, EdgeMeshOptions, FacingChoice, PathChoice};
@@ -75,7 +74,6 @@ pub(crate) struct Lines {
     /// Held so that the next renderer finds the records on the device.
     _edges: Arc<EdgeBuffers>,
     counts: Counts,
-    of_back: OfBackFaces,
     facings: FaceFacings,
     facing: wgpu::Buffer,
     normals: wgpu::Buffer,
@@ -140,7 +138,6 @@ impl Lines {
         let bound = [&edges.records, &facing, &normals];
         Ok(Some(Self {
             at_rest: Arc::clone(method.mesh()),
-            of_back: method.of_back_faces(),
             facings: FaceFacings::default(),
             exact_for: None,
             binding: CameraBinding::new(device, &CameraBinding::layout(device), size_of::<StyleUniform>()),
@@ -188,8 +185,6 @@ impl Lines {
         style.faces = self.counts.faces;
         style.edges = self.counts.edges;
         style.features = self.drawn.features;
-        style.back_features = u32::from(self.of_back.features);
-        style.back_boundaries = u32::from(self.of_back.boundaries);
         style.bends_now = u32::from(bends_now);
         self.binding.write(queue, camera, &style);
     }

@@ -36,8 +36,8 @@ option_choice! {
 option_choice! {
     /// Which faces of the interior are drawn.
     pub enum CullChoice {
-        /// Front faces only where that cannot be seen: each part of the mesh is closed with its faces outwards, and the eye is
-        /// outside of the mesh's bounds; all of them otherwise.
+        /// Front faces only where that cannot be seen: each part of the mesh is closed with its faces outwards and at rest, the eye is
+        /// outside of the mesh's bounds, and the near plane before them; all of them otherwise.
         Auto = "auto",
         /// All of them: what hides lines on any mesh.
         None = "none",
@@ -75,7 +75,7 @@ method_options! {
         pub ridge_width: f64 = number("ridge-width", 0.0..=1000.0 "in width-unit", default 2.0),
         /// Width of valleys, and of creases that are concave.
         pub valley_width: f64 = number("valley-width", 0.0..=1000.0 "in width-unit", default 2.0),
-        /// Unit of all widths: pixels, units of the mesh at the depth of the line, millimetres of paper, percent of the image's
+        /// Unit of all widths: pixels, units of the world at the depth of the line, millimetres of paper, percent of the image's
         /// height.
         pub width_unit: WidthUnitChoice = choice("width-unit"),
         /// Resolution of the paper that width-unit=mm means.
@@ -119,7 +119,7 @@ method_options! {
         pub path: PathChoice = choice("path"),
         /// Where facing is decided: exactly on the CPU while the mesh is at rest, or on the device.
         pub facing: FacingChoice = choice("facing"),
-        /// Corrected, or the article's: widths, colours, path and facing are then the article's too.
+        /// Corrected, or the article's: widths, path and facing are then the article's too.
         pub arithmetic: ArithmeticChoice = choice("arithmetic"),
     }
 }

@@ -1,12 +1,14 @@
 //! [`Renderer`]: interior and lines in the caller's render pass, and what comes before it.
 
 use crate::as_printed::AsPrintedLines;
+use crate::edge_record::OfBackFaces;
 use crate::lines::Lines;
 use crate::method::EdgeMesh;
 use crate::options::{ArithmeticChoice, CullChoice};
 use crate::pipelines::{Pipelines, Stages};
 use crate::style;
 use silhouette_core::Viewpoint;
+use silhouette_core::glam::DVec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_gpu::{
     CameraUniform, DrawsLines, FillRenderer, FrameRenderer, FrameView, MeshBuffers, PenPlacement, RendererError,
@@ -57,9 +59,13 @@ pub struct Renderer {
     mesh: Arc<MeshBuffers>,
     /// With back faces, and without them.
     interior: [Option<FillRenderer>; 2],
-    /// Whether the view last prepared leaves back faces out.
+    /// Whether the interior of the view last prepared leaves back faces out.
     culls: bool,
-    /// Whether that cannot be seen from outside.
+    /// Whether all back faces of the view last prepared are hidden.
+    hides_back_faces: bool,
+    /// What is drawn of back faces, where they are hidden and where not.
+    of_back: [OfBackFaces; 2],
+    /// Whether faces point outwards at rest, all around.
     is_outward: bool,
     lines: InstanceLines,
     viewport: Option<Viewport>,
@@ -73,7 +79,8 @@ impl Renderer {
         pipelines: &Arc<Pipelines>,
         mesh: &Arc<MeshBuffers>,
     ) -> Result<Self, RendererError> {
-        if mesh.face_count() as usize != method.mesh().face_count() {
+        let is_other = mesh.vertex_count() < method.mesh().vertex_count() && mesh.face_count() > 0;
+        if is_other || mesh.face_count() as usize != method.mesh().face_count() {
             return Err(RendererError::OtherForm { what: "meshes" });
         }
         let lines = match &pipelines.lines {
@@ -85,6 +92,8 @@ impl Renderer {
         Ok(Self {
             interior: pipelines.interior.each_ref().map(|fill| Some(FillRenderer::new(device, fill.as_ref()?, mesh))),
             culls: false,
+            hides_back_faces: false,
+            of_back: [true, false].map(|hides_them| method.of_back_faces(hides_them)),
             is_outward: method.is_outward(),
             lines,
             pipelines: Arc::clone(pipelines),
@@ -107,6 +116,13 @@ impl Renderer {
         if let InstanceLines::Corrected(lines) = &self.lines { lines.normals() } else { None }
     }
 
+    /// Whether all back faces of the view last prepared are hidden: the mesh is closed, outward and at rest, the eye outside of its
+    /// bounds, and the near plane before them. The interior then leaves them out by default, and features between two of them are not
+    /// drawn.
+    pub fn hides_back_faces(&self) -> bool {
+        self.hides_back_faces
+    }
+
     /// The facings of the view last encoded, on the device: one bit per face, set for front faces; face `f` is bit `f % 32` of
     /// word `f / 32`. `None` for a mesh without triangles, and for the article's arithmetic.
     pub fn facings(&self) -> Option<&wgpu::Buffer> {
@@ -114,11 +130,22 @@ impl Renderer {
     }
 }
 
-/// Whether the eye is outside of the box around a mesh, as that of an orthographic view always is.
-fn is_outside(bounds: &Bounds, viewpoint: &Viewpoint) -> bool {
-    let Viewpoint::Perspective { eye } = viewpoint else { return true };
-    let eye = eye.as_dvec3();
-    eye.cmplt(bounds.min).any() || eye.cmpgt(bounds.max).any()
+/// Whether the eye is outside of the box around a mesh, as that of an orthographic view always is, and the near plane cuts nothing
+/// off the box, so that a closed mesh shows no back face.
+fn is_whole_from_outside(bounds: &Bounds, view: &FrameView) -> bool {
+    let is_outside = match view.viewpoint() {
+        Viewpoint::Perspective { eye } => {
+            let eye = eye.as_dvec3();
+            eye.cmplt(bounds.min).any() || eye.cmpgt(bounds.max).any()
+        }
+        Viewpoint::Orthographic { .. } => true,
+    };
+    let near = view.depth_law().range().near;
+    let is_beyond_near = |corner: u32| {
+        let pick = DVec3::new(f64::from(corner & 1), f64::from(corner >> 1 & 1), f64::from(corner >> 2));
+        view.depth(bounds.min + pick * (bounds.max - bounds.min)) >= near
+    };
+    is_outside && (0..8).all(is_beyond_near)
 }
 
 impl FrameRenderer for Renderer {
@@ -127,8 +154,9 @@ impl FrameRenderer for Renderer {
         formats.check(view)?;
         let Some(bounds) = self.mesh.bounds() else { return Ok(()) };
         let frame = self.mesh.frame();
+        self.hides_back_faces = self.is_outward && self.mesh.is_at_rest() && is_whole_from_outside(&bounds, view);
         self.culls = match options.cull {
-            CullChoice::Auto => self.is_outward && is_outside(&bounds, &view.viewpoint()),
+            CullChoice::Auto => self.hides_back_faces,
             CullChoice::None => false,
             CullChoice::Back => true,
         };
@@ -138,7 +166,10 @@ impl FrameRenderer for Renderer {
         match &mut self.lines {
             InstanceLines::None => {}
             InstanceLines::Corrected(lines) => {
-                let style = style::of_view(options, view, &bounds, frame, formats);
+                let mut style = style::of_view(options, view, &bounds, frame, formats);
+                let of_back = self.of_back[usize::from(!self.hides_back_faces)];
+                style.back_features = u32::from(of_back.features);
+                style.back_boundaries = u32::from(of_back.boundaries);
                 let camera = CameraUniform::new(frame.to_clip(view));
                 lines.prepare(device, queue, view, &camera, style, self.mesh.is_at_rest());
             }

@@ -27,7 +27,7 @@ pub(crate) struct StyleUniform {
     _pad: u32,
 }
 
-/// Fills in what a view decides; counts and bits are the caller's.
+/// Fills in what a view decides; counts, bits and what is drawn of back faces are the caller's.
 pub(crate) fn of_view(
     options: &EdgeMeshOptions,
     view: &FrameView,

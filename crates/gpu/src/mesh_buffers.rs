@@ -171,6 +171,11 @@ impl MeshBuffers {
         self.buffers.as_ref().map(|(positions, triangles)| (positions, triangles))
     }
 
+    /// Number of vertices that the position buffer holds.
+    pub fn vertex_count(&self) -> usize {
+        self.vertices
+    }
+
     /// Number of triangles.
     pub fn face_count(&self) -> u32 {
         self.indices / 3

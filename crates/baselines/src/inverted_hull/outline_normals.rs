@@ -50,6 +50,11 @@ impl OutlineNormals {
         normals
     }
 
+    /// Number of vertices of the mesh.
+    pub fn vertex_count(&self) -> usize {
+        self.place_of.len()
+    }
+
     /// The normal of each place for other positions of the same vertices; the places stay those of the mesh at rest. O(F).
     ///
     /// # Panics

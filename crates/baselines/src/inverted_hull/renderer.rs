@@ -100,6 +100,10 @@ impl DrawsLines for InvertedHull {
         pipelines: &Arc<InvertedHullPipelines>,
         mesh: &Arc<MeshBuffers>,
     ) -> Result<InvertedHullRenderer, RendererError> {
+        let placed = self.normals.as_ref().map_or(0, |normals| normals.vertex_count());
+        if mesh.face_count() > 0 && placed > mesh.vertex_count() {
+            return Err(RendererError::OtherForm { what: "meshes" });
+        }
         let normals = match (&pipelines.find_normals, &self.normals) {
             (Some(stage), Some(normals)) => Some(Normals::new(device, queue, stage, normals)?),
             (None, None) => None,

@@ -129,9 +129,9 @@ struct PageArguments {
     /// True scale: millimetres on paper that a unit of the mesh takes, or a ratio such as 1:100, with --mesh-unit; needs --ortho
     #[arg(long, value_name = "MM|A:B", allow_hyphen_values = true, value_parser = ScaleArgument::from_str)]
     scale: Option<ScaleArgument>,
-    /// What a unit of the mesh is, for a --scale that is a ratio
-    #[arg(long, value_enum, default_value_t = MeshUnitArgument::Mm)]
-    mesh_unit: MeshUnitArgument,
+    /// What a unit of the mesh is, for a --scale that is a ratio [default: mm]
+    #[arg(long, value_enum, value_name = "UNIT", requires = "scale")]
+    mesh_unit: Option<MeshUnitArgument>,
     /// Paths shorter than this are left out [default: 0.1mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     min_length: Option<String>,
@@ -164,19 +164,20 @@ enum ScaleArgument {
 }
 
 impl ScaleArgument {
-    fn mm_per_unit(self, unit: MeshUnitArgument) -> f64 {
+    fn mm_per_unit(self, unit: Option<MeshUnitArgument>) -> Result<f64, Failure> {
+        let mm = match unit {
+            None | Some(MeshUnitArgument::Mm) => 1.0,
+            Some(MeshUnitArgument::Cm) => 10.0,
+            Some(MeshUnitArgument::M) => 1000.0,
+            Some(MeshUnitArgument::In) => 25.4,
+            Some(MeshUnitArgument::Ft) => 304.8,
+        };
         match self {
-            Self::MmPerUnit(mm) => mm,
-            Self::Ratio(ratio) => {
-                ratio
-                    * match unit {
-                        MeshUnitArgument::Mm => 1.0,
-                        MeshUnitArgument::Cm => 10.0,
-                        MeshUnitArgument::M => 1000.0,
-                        MeshUnitArgument::In => 25.4,
-                        MeshUnitArgument::Ft => 304.8,
-                    }
+            Self::MmPerUnit(_) if unit.is_some() => {
+                Err(Failure::Input("--mesh-unit needs a --scale that is a ratio, such as 1:100".to_owned()))
             }
+            Self::MmPerUnit(per_unit) => Ok(per_unit),
+            Self::Ratio(ratio) => Ok(ratio * mm),
         }
     }
 }
@@ -361,7 +362,7 @@ impl PageArguments {
         }
         let page = self.page.unwrap_or(defaults.page);
         let fit = match (self.scale, self.fit) {
-            (Some(scale), _) => Fit::Scale { mm_per_unit: scale.mm_per_unit(self.mesh_unit) },
+            (Some(scale), _) => Fit::Scale { mm_per_unit: scale.mm_per_unit(self.mesh_unit)? },
             (None, Some(FitArgument::View)) => Fit::View,
             (None, Some(FitArgument::Lines) | None) => Fit::Lines,
         };

@@ -105,7 +105,8 @@ fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec
             heal(name, loaded, distance)?;
         }
     }
-    let winding = arguments.orient.winding(true);
+    // Lines are right whichever way faces point, and so are their kinds.
+    let winding = arguments.orient.winding(false);
     meshes.iter_mut().for_each(|(name, loaded)| winding.apply(name, loaded));
     Ok(meshes)
 }

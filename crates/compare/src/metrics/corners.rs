@@ -74,15 +74,15 @@ fn corner(truth: &TrueLines, run: &Run, at: usize, clear_px: f64) -> Option<(Cor
         return None;
     }
     let place = before.pixel + before.tangent * (0.5 * before.length_px);
-    let backward = straight(samples, run.closed, at, -1, clear_px)?;
-    let forward = straight(samples, run.closed, (at + 1) % samples.len(), 1, clear_px)?;
+    let backward = straight(samples, at, -1, clear_px)?;
+    let forward = straight(samples, (at + 1) % samples.len(), 1, clear_px)?;
     let corner = Corner { place, before: before.tangent, after: after.tangent };
     Some((corner, [backward, forward].map(|own| own.start + run.samples.start..own.end + run.samples.start)))
 }
 
 /// The samples from `start` on, forwards or backwards, over a straight stretch of `length_px`; `None` where the line bends or
 /// ends before. A stretch over the start of a closed line counts as bent: a line has one such place at most.
-fn straight(samples: &[TrueSample], closed: bool, start: usize, step: isize, length_px: f64) -> Option<Range<usize>> {
+fn straight(samples: &[TrueSample], start: usize, step: isize, length_px: f64) -> Option<Range<usize>> {
     let tangent = samples[start].tangent;
     let mut length = 0.0;
     let mut at = start;
@@ -96,7 +96,6 @@ fn straight(samples: &[TrueSample], closed: bool, start: usize, step: isize, len
             at = at.checked_add_signed(step)?;
         }
     }
-    debug_assert!(closed || at < samples.len());
     Some(start.min(at)..start.max(at) + 1)
 }
 

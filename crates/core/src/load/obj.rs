@@ -41,7 +41,7 @@ fn ends_in_comment(line: &[u8]) -> bool {
 fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, joined: &mut Vec<u8>) {
     joined.clear();
     let mut line = first;
-    while let Some(continued) = line.trim_ascii_end().strip_suffix(b"\\") {
+    while let Some(continued) = line.trim_ascii_end().strip_suffix(b"\\").filter(|_| !ends_in_comment(line)) {
         joined.extend_from_slice(continued);
         joined.push(b' ');
         line = lines.next_line().unwrap_or_default();
@@ -178,7 +178,11 @@ impl Reader {
     fn line(&mut self, mut words: Words<'_>) {
         let mut before = None;
         while !words.is_empty() {
-            let end = self.vertex_of_line(words.word());
+            let word = words.word();
+            if word.starts_with(b"#") {
+                break;
+            }
+            let end = self.vertex_of_line(word);
             if let (Some(a), Some(b)) = (before, end) {
                 self.feature_edges.line(a, b);
             }

@@ -146,3 +146,11 @@ fn line_numbers_survive_continued_rows() {
     let text = square_rows("v ") + "f 1 \\\n2 \\\n3\nf 1 2 x\n";
     assert_refused(Obj, text, ", line 8", &["\"x\""]);
 }
+
+/// A backslash at the end of a comment is a part of the comment, on rows that continue others as well.
+#[test]
+fn a_comment_on_a_continued_row_ends_with_it() {
+    assert_square(&accepted(Obj, square("f 1 2 3 \\\n# note \\\nf 1 3 4\n")));
+    let loaded = labelled(Obj, square("f 1 2 3 4\nl 1 2 # 2 3\n"));
+    assert_eq!(loaded.feature_edges, [[0, 1]]);
+}

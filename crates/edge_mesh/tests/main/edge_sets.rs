@@ -49,7 +49,7 @@ fn the_drawn_edges_are_those_of_brute_force_from_every_view() {
             let facings = FaceFacings::new(&mesh, &viewpoint);
             assert_eq!(
                 lists,
-                drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces()),
+                drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces(false)),
                 "{name}"
             );
             drawn_in_all += lists.silhouettes.len();
@@ -109,7 +109,7 @@ fn facings_of_the_device_differ_from_exact_ones_only_within_the_bound_of_32_bits
                 differing += usize::from(on_device(face) != exact.is_front(face));
             }
             // Whatever the facings are, they are decided once, and the lists follow from them.
-            assert_eq!(lists, drawn_edges(method.records(), on_device, method.of_back_faces()), "{name}");
+            assert_eq!(lists, drawn_edges(method.records(), on_device, method.of_back_faces(false)), "{name}");
         }
     }
     assert!(faces > 100_000 && differing > 0, "{differing} of {faces}: the hard views put signs in doubt");
@@ -135,7 +135,7 @@ fn the_printed_product_loses_an_edge_of_a_cube_seen_from_the_plane_of_a_face() {
     });
     assert_eq!(printed.count(), 3);
     let facings = FaceFacings::new(&mesh, &views::seen_from(EYE_IN_PLANE));
-    let ours = drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces()).silhouettes;
+    let ours = drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces(false)).silhouettes;
     assert_eq!(ours.len(), 4);
     // Closed: each end belongs to two of them.
     let mut ends: Vec<VertexId> = ours.iter().flat_map(|&record| method.records()[record as usize].ends()).collect();
@@ -200,7 +200,7 @@ fn slivers_at_t_junctions_are_not_drawn() {
     let mesh = TriangleMesh::new(positions, triangles).unwrap();
     let method = method(&mesh, &[]);
     let facings = FaceFacings::new(&mesh, &views::seen_from(Vec3::new(1.0, 1.0, 5.0)));
-    let drawn = drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces()).silhouettes;
+    let drawn = drawn_edges(method.records(), |face| facings.is_front(face), method.of_back_faces(false)).silhouettes;
     let boundary = method.records().iter().filter(|record| record.second_face().is_none()).count();
     assert_eq!((drawn.len(), boundary), (5, 5), "the boundary and nothing else");
 }

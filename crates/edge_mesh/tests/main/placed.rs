@@ -10,7 +10,7 @@ use silhouette_edge_mesh::EdgeMeshOptions;
 use silhouette_gpu::{DrawsLines, FrameRenderer, FrameView, MeshBuffers, TargetFormats, Viewport};
 use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target};
 use silhouette_testing::edits::{mapped, turned_over, twisted};
-use silhouette_testing::{builtin, gpu_or_skip};
+use silhouette_testing::{builtin, gpu_or_skip, views};
 use std::sync::Arc;
 
 /// Both paths, both facings, features, world widths.
@@ -172,7 +172,9 @@ fn interiors_and_translucent_ink_leave_the_ground_as_they_should() {
         assert_eq!(lines(&paper), lines(&depth), "{path}: depth alone hides the same lines");
         assert!(count(&depth, |value| value == 255) == 0 && count(&paper, |value| value == 255) > 3000);
         assert!(ink(&none) > ink(&depth), "{path}: nothing hides lines");
-        assert_eq!(of(&["cull=back"]), paper, "{path}: back faces of a closed mesh are hidden");
+        for cull in ["cull=none", "cull=back"] {
+            assert_eq!(of(&[cull]), paper, "{path}, {cull}: back faces of a closed mesh are hidden");
+        }
         let half = of(&["ink-alpha=0.5"]);
         let once = count(&half, |value| matches!(value, 63 | 64 | 127));
         assert_eq!(count(&half, |value| !matches!(value, 128 | 255)), ink(&paper), "{path}");
@@ -195,4 +197,31 @@ fn a_renderer_for_the_buffers_of_another_mesh_is_refused() {
     let other = scene::buffers(gpu, &builtin("cone"));
     assert!(method.renderer(gpu.device(), gpu.queue(), &pipelines, &other).is_err());
     assert!(EdgeMeshOptions::parse(["width=-1"]).is_err() && EdgeMeshOptions::parse(["ridge-angle=0"]).is_err());
+}
+
+/// Seen from inside, through the near plane, or on a mesh that is inside out, back faces are what there is to see.
+#[test]
+fn back_faces_that_can_be_seen_hide_lines_and_show_features() {
+    let test = "back_faces_that_can_be_seen_hide_lines_and_show_features";
+    let Some(gpu) = gpu_or_skip(test) else { return };
+    let cube = builtin("cube");
+    let inside_out = turned_over(&cube, |_| true);
+    let outside = views::look(Vec3::new(2.0, 1.5, 2.5), Vec3::ZERO, 40.0, [160; 2]);
+    let inside = views::look(Vec3::new(0.1, 0.05, 0.2), Vec3::new(5.0, 4.0, 6.0), 110.0, [160; 2]);
+    let cut = FrameView::from_camera(&outside, ClipRange { near: 3.2, far: 9.0 }, DEFAULT_FORMATS.depth_direction);
+    let views = [
+        ("outside", &cube, any_view(&cube, &outside), true),
+        ("inside", &cube, any_view(&cube, &inside), false),
+        ("cut", &cube, cut.unwrap(), false),
+        ("inside out", &inside_out, any_view(&inside_out, &outside), false),
+    ];
+    for (name, mesh, view, hides) in views {
+        let mut renderer = scene::renderer(gpu, mesh, &["ridge-angle=30", "valley-angle=30", "width=0"]);
+        renderer.prepare(gpu.device(), gpu.queue(), &view).unwrap();
+        assert_eq!(renderer.hides_back_faces(), hides, "{name}");
+        let words = |cull| picture_of(gpu, mesh, &["ridge-angle=30", "valley-angle=30", "width=3", cull], &view);
+        assert_eq!(words("cull=auto"), words("cull=none"), "{name}");
+        let features = picture_of(gpu, mesh, &["ridge-angle=30", "valley-angle=30", "width=0"], &view);
+        assert!(ink(&features) > 50, "{name}: its edges are in sight");
+    }
 }

@@ -40,7 +40,7 @@ pub static PAPER: Paper = Paper {
 
 /// How much is measured.
 struct Extent {
-    /// Sides that accuracy is averaged over.
+    /// Views per mesh; tables report median and range.
     views: u32,
     rounds: u32,
     /// Heights of the pictures in which widths are measured.

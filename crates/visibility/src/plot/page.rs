@@ -57,9 +57,9 @@ impl FromStr for Page {
         let suffix = SUFFIXES.into_iter().map(|(suffix, ..)| suffix).find(|suffix| text.ends_with(suffix));
         let suffix = suffix.unwrap_or(Unit::Mm.suffix());
         let sides = text.strip_suffix(suffix).unwrap_or(text).split_once('x');
-        let is_number = |text: &str| !text.ends_with(|letter: char| letter.is_ascii_alphabetic());
-        let length = |text: &str| is_number(text).then(|| format!("{text}{suffix}").parse().ok()).flatten();
-        let side = |text| length(text).filter(|side: &Length| side.to(Unit::Mm) > 0.0);
+        let number = |text: &str| text.strip_suffix(suffix).unwrap_or(text).trim().parse::<f64>().ok();
+        let side =
+            |text| format!("{}{suffix}", number(text)?).parse().ok().filter(|side: &Length| side.to(Unit::Mm) > 0.0);
         let sides = sides.and_then(|(width, height)| Some(Self { width: side(width)?, height: side(height)? }));
         sides.ok_or(ParsePageError)
     }
@@ -67,7 +67,9 @@ impl FromStr for Page {
 
 /// Text that is no page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("expected a0 to a5, letter, legal, tabloid, or width and height such as 200x150mm, 11x17in or 800x600px")]
+#[error(
+    "expected a0, a1, a2, a3, a4, a5, letter, legal, tabloid, or width and height such as 200x150mm, 11x17in or 800x600px"
+)]
 pub struct ParsePageError;
 
 /// How large a picture becomes on its page.
