@@ -33,6 +33,7 @@ pub mod load;
 pub mod loops;
 pub mod mesh;
 pub mod method;
+pub mod morton;
 pub mod orientation;
 pub mod prepared;
 pub mod progress;

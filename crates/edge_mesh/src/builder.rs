@@ -1,12 +1,12 @@
 //! Step 1, preparation: [`EdgeRecord`]s of all edges of a mesh.
 
 use crate::edge_record::{Bend, EdgeRecord, Feature};
-use crate::options::{CreasesChoice, EdgeMeshOptions};
+use crate::options::{CreasesChoice, EdgeMeshOptions, PathChoice};
 use crate::zero_area::FacingSource;
 use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::loops::start_vertex;
-use silhouette_core::{EdgeId, FaceId, HalfEdgeId, PreparedMesh, Topology, TriangleMesh};
+use silhouette_core::{EdgeId, FaceId, HalfEdgeId, PreparedMesh, Topology, TriangleMesh, VertexId, morton};
 
 /// Edges that a task takes at least: about 0.1 ms of work.
 const EDGES_PER_TASK: usize = 4096;
@@ -14,7 +14,8 @@ const EDGES_PER_TASK: usize = 4096;
 /// The records of a mesh.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Records {
-    /// Features first, either part in the order of edge ids.
+    /// Features first, in the order of edge ids; the others in that order, or along a curve through space where chunks of them are
+    /// drawn or left out as a whole.
     pub records: Vec<EdgeRecord>,
     /// Number of features.
     pub features: usize,
@@ -33,10 +34,30 @@ pub(crate) fn build(mesh: &PreparedMesh, topology: &Topology, options: &EdgeMesh
         &[a, b] => start_vertex(mesh.mesh(), a) != start_vertex(mesh.mesh(), b),
         _ => false,
     });
-    let (mut records, others): (Vec<_>, Vec<_>) = records.into_iter().partition(|record| record.feature().is_some());
+    let (mut records, mut others): (Vec<_>, Vec<_>) =
+        records.into_iter().partition(|record| record.feature().is_some());
     let features = records.len();
+    if options.path == PathChoice::VertexStage {
+        others = along_curve(mesh.mesh(), &others);
+    }
     records.extend(others);
     Records { records, features, is_closed }
+}
+
+/// Records in the order of a Morton curve through the middles of their edges, so that chunks of them lie close together. O(E log E).
+fn along_curve(mesh: &TriangleMesh, records: &[EdgeRecord]) -> Vec<EdgeRecord> {
+    let Some(bounds) = mesh.bounds() else { return Vec::new() };
+    let position = |vertex: VertexId| mesh.positions()[vertex.index()].as_dvec3();
+    let mut keyed: Vec<(u64, u32)> = records
+        .par_iter()
+        .enumerate()
+        .map(|(index, record)| {
+            let [a, b] = record.ends().map(position);
+            (morton::place((0.5 * (a + b) - bounds.center) / bounds.radius), index as u32)
+        })
+        .collect();
+    keyed.par_sort_unstable();
+    keyed.into_iter().map(|(_, index)| records[index as usize]).collect()
 }
 
 /// The edges that the mesh's file marks as sharp, ascending; none unless they are to be drawn.

@@ -32,7 +32,7 @@
 //! |---|---|---|
 //! | 1. records of all edges | `builder.rs`, `edge_record.rs`, `zero_area.rs` | CPU, once |
 //! | 2. facing of every face | `silhouette_core::facing`, or `face_planes.rs` with `oct_normal.rs` | CPU, or device |
-//! | 3. which edges are drawn | `drawn_edges.rs`, or the vertex stage of step 4 | device |
+//! | 3. which edges are drawn | `drawn_edges.rs`, or `silhouette_chunks.rs` and the vertex stage of step 4 | device |
 //! | 4. lines | `lines.rs`, `chunks.rs`, `style.rs` | device |
 //!
 //! [`as_printed`] is the article's own arithmetic (`arithmetic=as-printed`).
@@ -49,7 +49,8 @@
 //! changes, `image-precision` draws the same lines from triangles alone.
 //!
 //! - `path=compacted`, the default: raster cost follows the edges that are drawn. Faster on llvmpipe at every size measured.
-//! - `path=vertex-stage`: one draw and no storage that a stage writes, as the article has it; about four vertices per edge of the mesh.
+//! - `path=vertex-stage`: no storage that a stage writes, as the article has it; about four vertices per edge of the mesh, of chunks that
+//!   hold a silhouette alone while facings are exact.
 //! - `facing=exact`, the default: facings of a mesh at rest are exact, 1 bit per face uploaded when the viewpoint changes. Once
 //!   positions are replaced, and with `facing=device`, the device decides in 32 bits, and the CPU does nothing per vertex or face.
 //! - `cull=auto`, the default: of closed meshes seen from outside the interior draws front faces alone, which is half the work.
@@ -103,6 +104,8 @@ pub mod options;
 mod pipelines;
 #[cfg(feature = "gpu")]
 mod renderer;
+#[cfg(feature = "gpu")]
+mod silhouette_chunks;
 #[cfg(feature = "gpu")]
 mod style;
 mod zero_area;

@@ -6,6 +6,7 @@ use crate::edge_buffers::EdgeBuffers;
 use crate::face_planes::FacePlanes;
 use crate::method::EdgeMesh;
 use crate::options::{CreasesChoice, EdgeMeshOptions, FacingChoice, PathChoice};
+use crate::silhouette_chunks::SilhouetteChunks;
 use crate::style::StyleUniform;
 use silhouette_core::{FaceFacings, TriangleMesh, Viewpoint};
 use silhouette_gpu::kit::{RenderStage, bind_layout, buffers_group, storage_buffer, storage_entry};
@@ -79,6 +80,7 @@ pub(crate) struct Lines {
     normals: wgpu::Buffer,
     /// The viewpoint for which `facing` holds exact facings.
     exact_for: Option<Viewpoint>,
+    chunks: SilhouetteChunks,
     binding: CameraBinding,
     mesh: MeshBinding,
     bound_edges: wgpu::BindGroup,
@@ -140,6 +142,7 @@ impl Lines {
             at_rest: Arc::clone(method.mesh()),
             facings: FaceFacings::default(),
             exact_for: None,
+            chunks: SilhouetteChunks::new(method),
             binding: CameraBinding::new(device, &CameraBinding::layout(device), size_of::<StyleUniform>()),
             mesh: mesh_binding,
             bound_edges: buffers_group(device, "edges", &stages.edges, &bound),
@@ -194,6 +197,9 @@ impl Lines {
         if self.exact_for != Some(viewpoint) {
             self.facings.classify(&self.at_rest, &viewpoint);
             queue.write_buffer(&self.facing, 0, bytemuck::cast_slice(self.facings.words()));
+            if self.lists.is_none() {
+                self.chunks.find(&self.facings);
+            }
             self.exact_for = Some(viewpoint);
         }
     }
@@ -224,15 +230,21 @@ impl Lines {
         pass.set_bind_group(1, self.mesh.bind_group(), &[]);
         pass.set_bind_group(2, &self.bound_edges, &[]);
         let features = self.stages.features.as_ref().filter(|_| self.drawn.features > 0);
-        let draws = [(1, features, self.drawn.features), (0, Some(&self.stages.silhouettes), self.counts.edges)];
-        for (list, pipeline, edges) in draws {
+        for (list, pipeline) in [(1, features), (0, Some(&self.stages.silhouettes))] {
             let Some(pipeline) = pipeline else { continue };
             let indices = &self.indices[list];
             pass.set_pipeline(pipeline);
             if let Some(lists) = &self.lists {
                 lists.draw(pass, list, indices);
+                continue;
+            }
+            indices.set(pass);
+            if list == 0 && self.exact_for.is_some() {
+                for chunks in self.chunks.runs() {
+                    pass.draw_indexed(0..indices.count(), 0, chunks);
+                }
             } else {
-                indices.set(pass);
+                let edges = if list == 0 { self.counts.edges } else { self.drawn.features };
                 pass.draw_indexed(0..indices.count(), 0, 0..chunks(edges));
             }
         }

@@ -101,7 +101,8 @@ impl EdgeMesh {
         &self.options
     }
 
-    /// The records: [features](Self::feature_count) first, either part in the order of edge ids.
+    /// The records: [features](Self::feature_count) first, either part in the order of edge ids; with `path=vertex-stage` the others
+    /// along a curve through space.
     pub fn records(&self) -> &Arc<[EdgeRecord]> {
         &self.records
     }

@@ -14,6 +14,7 @@
 use super::pairs::{OUTSIDE, pairs_of};
 use super::planes::{Frame, LANES};
 use rayon::prelude::*;
+use silhouette_core::morton::place;
 use silhouette_core::{Topology, TriangleMesh};
 use std::collections::VecDeque;
 
@@ -76,24 +77,11 @@ fn along_curve(mesh: &TriangleMesh, frame: &Frame) -> Vec<u32> {
         .enumerate()
         .map(|(face, triangle)| {
             let [a, b, c] = triangle.map(|vertex| frame.local(mesh.positions()[vertex as usize]));
-            let cell = (((a + b + c) / 3.0 + 1.0) * f64::from(1 << 20)).as_u64vec3();
-            (spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2, face as u32)
+            (place((a + b + c) / 3.0), face as u32)
         })
         .collect();
     keyed.par_sort_unstable();
     keyed.into_iter().map(|(_, face)| face).collect()
-}
-
-/// Moves bit i of 21 bits to bit 3 i.
-fn spread(value: u64) -> u64 {
-    const STEPS: [(u32, u64); 5] = [
-        (32, 0x001f_0000_0000_ffff),
-        (16, 0x001f_0000_ff00_00ff),
-        (8, 0x100f_00f0_0f00_f00f),
-        (4, 0x10c3_0c30_c30c_30c3),
-        (2, 0x1249_2492_4924_9249),
-    ];
-    STEPS.iter().fold(value & 0x001f_ffff, |bits, &(shift, mask)| (bits | bits << shift) & mask)
 }
 
 /// What a face of the chunk is to the patch that grows.
