@@ -130,8 +130,11 @@ impl Renderer {
     }
 }
 
+/// Share of a radius that rounding may move a near plane by.
+const ROUNDING: f64 = 1e-6;
+
 /// Whether the eye is outside of the box around a mesh, as that of an orthographic view always is, and the near plane cuts nothing
-/// off the box, so that a closed mesh shows no back face.
+/// off the box or nothing off the sphere around it, so that a closed mesh shows no back face.
 fn is_whole_from_outside(bounds: &Bounds, view: &FrameView) -> bool {
     let is_outside = match view.viewpoint() {
         Viewpoint::Perspective { eye } => {
@@ -140,12 +143,15 @@ fn is_whole_from_outside(bounds: &Bounds, view: &FrameView) -> bool {
         }
         Viewpoint::Orthographic { .. } => true,
     };
-    let near = view.depth_law().range().near;
-    let is_beyond_near = |corner: u32| {
+    let depth_of_corner = |corner: u32| {
         let pick = DVec3::new(f64::from(corner & 1), f64::from(corner >> 1 & 1), f64::from(corner >> 2));
-        view.depth(bounds.min + pick * (bounds.max - bounds.min)) >= near
+        view.depth(bounds.min + pick * (bounds.max - bounds.min))
     };
-    is_outside && (0..8).all(is_beyond_near)
+    let of_box = (0..8).map(depth_of_corner).fold(f64::INFINITY, f64::min);
+    let radius = bounds.radius * view.largest_scale();
+    let nearest = of_box.max(view.depth(bounds.center) - radius);
+    // A near plane that touches the sphere may lie behind it by rounding.
+    is_outside && nearest >= view.depth_law().range().near - ROUNDING * radius
 }
 
 impl FrameRenderer for Renderer {
