@@ -1,6 +1,6 @@
 //! Every method against the exact visible lines.
 
-use super::methods::{Drawn, METHODS};
+use super::methods::{Drawn, METHODS, builtin};
 use crate::directions::spread;
 use crate::drawings::{FOV_Y_RAD, camera};
 use crate::error::{Cause, PaperError};
@@ -9,7 +9,6 @@ use crate::table::{Cell, Column, Range, Row, Table};
 use silhouette_compare::NamedMesh;
 use silhouette_compare::metrics::{Ink, LineMetrics, TruePen, measure};
 use silhouette_compare::truth::{Truth, TruthFinder};
-use silhouette_core::shapes::by_name;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_gpu::{Pen, PenPlacement};
 use silhouette_render::Gpu;
@@ -27,10 +26,7 @@ const OVER_VIEWS: &str = "views spread evenly";
 /// # Errors
 /// [`PaperError`]: cancelled, or a device that failed.
 pub fn by_mesh(gpu: &Gpu, run: &Run<'_>, views: u32, size: [u32; 2]) -> Result<Vec<Table>, PaperError> {
-    let shape = |name: &&str| -> Result<NamedMesh, Cause> {
-        Ok(NamedMesh { name: format!("builtin:{name}"), mesh: Arc::new(PreparedMesh::new(by_name(name)?)) })
-    };
-    let hard_edges = HARD_EDGES.iter().map(shape).collect::<Result<Vec<_>, _>>()?;
+    let hard_edges = HARD_EDGES.iter().map(|name| builtin(name)).collect::<Result<Vec<_>, _>>()?;
     let of = |named: &NamedMesh| {
         of_mesh(gpu, named, views, size, run.progress).map_err(PaperError::of::<Cause>(&named.name))
     };

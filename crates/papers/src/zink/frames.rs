@@ -1,6 +1,6 @@
 //! What a frame costs, over plain rendering in the same run.
 
-use super::methods::{METHODS, style};
+use super::methods::{METHODS, builtin, style};
 use crate::directions::spread;
 use crate::drawings::{FOV_Y_RAD, camera, drawing, time};
 use crate::error::{Cause, PaperError};
@@ -10,11 +10,9 @@ use silhouette_baselines::FineMesh;
 use silhouette_compare::NamedMesh;
 use silhouette_compare::drawing::{DrawError, Drawing};
 use silhouette_compare::registry::Entry;
-use silhouette_core::shapes::by_name;
-use silhouette_core::{PreparedMesh, Progress};
+use silhouette_core::Progress;
 use silhouette_gpu::RendererError;
 use silhouette_render::Gpu;
-use std::sync::Arc;
 
 /// A table of every mesh, and of a built-in shape if one is named.
 ///
@@ -27,10 +25,7 @@ pub fn by_mesh(
     size: [u32; 2],
     largest: Option<&str>,
 ) -> Result<Vec<Table>, PaperError> {
-    let largest = largest.map(|name| -> Result<NamedMesh, Cause> {
-        Ok(NamedMesh { name: format!("builtin:{name}"), mesh: Arc::new(PreparedMesh::new(by_name(name)?)) })
-    });
-    let largest = largest.transpose()?;
+    let largest = largest.map(builtin).transpose()?;
     let of = |named: &NamedMesh| {
         of_mesh(gpu, named, rounds, size, run.progress).map_err(PaperError::of::<Cause>(&named.name))
     };

@@ -2,9 +2,12 @@
 
 use crate::drawings::drawing;
 use crate::error::Cause;
+use silhouette_compare::NamedMesh;
 use silhouette_compare::drawing::{Drawing, FrameStyle, Ground};
 use silhouette_compare::registry::Registry;
 use silhouette_compare::runner::DEFAULT_PEN_WIDTH_PX;
+use silhouette_compare::scene::BUILTIN;
+use silhouette_core::shapes::by_name;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_render::Gpu;
 use std::sync::Arc;
@@ -64,6 +67,14 @@ impl Drawn {
         let entry = registry.find(self.method)?;
         drawing(gpu, mesh, entry, &format!("{} {more}", self.words), style(size), progress)
     }
+}
+
+/// A built-in shape, with the name that the command line gives it.
+///
+/// # Errors
+/// [`Cause`], which a shape that exists rules out.
+pub fn builtin(name: &str) -> Result<NamedMesh, Cause> {
+    Ok(NamedMesh { name: format!("{BUILTIN}{name}"), mesh: Arc::new(PreparedMesh::new(by_name(name)?)) })
 }
 
 /// How pictures are drawn: one sample per pixel, the pen of every comparison.
