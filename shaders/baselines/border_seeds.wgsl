@@ -10,13 +10,6 @@
 @group(2) @binding(1) var nearest: texture_storage_2d<r32uint, write>;
 
 const SAMPLES: i32 = 4;
-// Where WebGPU has the samples of a pixel, from its middle.
-const SAMPLE_PLACES = array<vec2<f32>, 4>(
-    vec2<f32>(-0.125, -0.375),
-    vec2<f32>(0.375, -0.125),
-    vec2<f32>(-0.375, 0.125),
-    vec2<f32>(0.125, 0.375),
-);
 
 // Whether the object covers a part of each pixel beside this one: whatever else they have, no border runs between. One sample each
 // suffices for most pixels.
@@ -78,7 +71,7 @@ fn plant(@builtin(global_invocation_id) id: vec3<u32>) {
             if other == object {
                 same += 1;
                 farthest = max(farthest, other_depth);
-                inward += vec2<f32>(to) + SAMPLE_PLACES[i];
+                inward += vec2<f32>(to) + SAMPLE_PLACES[i] - 0.5;
             } else if other == 0u || is_before(depth, object, other_depth, other) {
                 stands_before = true;
             }

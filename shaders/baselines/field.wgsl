@@ -23,6 +23,14 @@ struct FieldUniform {
 
 @group(0) @binding(1) var<uniform> field: FieldUniform;
 
+// Where WebGPU has the four samples of a pixel, from its corner.
+const SAMPLE_PLACES = array<vec2<f32>, 4>(
+    vec2<f32>(0.375, 0.125),
+    vec2<f32>(0.875, 0.375),
+    vec2<f32>(0.125, 0.625),
+    vec2<f32>(0.625, 0.875),
+);
+
 // Of a pixel without a seed near by.
 const NONE: u32 = 0xffffffffu;
 // Flags of a record beside its object (bits 0 to 15) and the place of its seed (7 bits each).

@@ -8,13 +8,6 @@ struct Inked {
     @builtin(sample_mask) samples: u32,
 }
 
-// Where WebGPU has the four samples of a pixel.
-const SAMPLE_PLACES = array<vec2<f32>, 4>(
-    vec2<f32>(0.375, 0.125),
-    vec2<f32>(0.875, 0.375),
-    vec2<f32>(0.125, 0.625),
-    vec2<f32>(0.625, 0.875),
-);
 // A pixel's middle as far from a line as its ink reaches is inked on one side of the line alone.
 const HALF_OPEN_PX: f32 = 1.0 / 512.0;
 

@@ -119,7 +119,7 @@ fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String,
 }
 
 /// What stands for standard input.
-pub const STANDARD_INPUT: &str = "-";
+const STANDARD_INPUT: &str = "-";
 
 /// The format that a file without a name begins as; OBJ, which has no sign of its own, where it is none of the others.
 fn format_of(bytes: &[u8]) -> Format {
