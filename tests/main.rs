@@ -2,8 +2,10 @@
 
 mod analytic;
 mod cut_sets;
+mod errors;
 mod exactness;
 mod measures;
 mod oracle;
+mod publishing;
 mod seen;
 mod tidy;

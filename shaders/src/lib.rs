@@ -1,4 +1,6 @@
-//! Every WGSL stage of the silhouette crates, as text.
+#![doc = include_str!("../README.md")]
+//!
+//! # Constants
 //!
 //! Each module holds the stages of one crate, one constant per file of the folder with the crate's name. A constant is a
 //! complete WGSL module for `wgpu::ShaderSource::Wgsl`. [`ALL`] lists them with their paths.

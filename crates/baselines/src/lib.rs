@@ -1,4 +1,6 @@
-//! What published methods are measured against: the mesh itself, and the outlines that engines ship.
+#![doc = include_str!("../README.md")]
+//!
+//! # Methods
 //!
 //! | method | draws | ink lies | lines inside of the outline | cost of a wide line |
 //! |---|---|---|---|---|
@@ -9,37 +11,7 @@
 //! | [`LodMesh`] (feature `simplify`) | a level of a chain of simplified meshes, chosen for each view | | | |
 //!
 //! The first three draw into a render pass of the application's, by the convention of `silhouette-gpu` (feature `gpu`), with the same
-//! options for width, ink and interior:
-//!
-//! ```no_run
-//! # #[cfg(feature = "gpu")]
-//! # fn outline(
-//! #     device: &wgpu::Device, queue: &wgpu::Queue, formats: silhouette_gpu::TargetFormats, view: &silhouette_gpu::FrameView,
-//! #     mesh: silhouette_core::TriangleMesh, encoder: &mut wgpu::CommandEncoder, descriptor: &wgpu::RenderPassDescriptor<'_>,
-//! # ) -> Result<(), Box<dyn std::error::Error>> {
-//! use silhouette_baselines::{InvertedHull, InvertedHullOptions};
-//! use silhouette_core::line_style::InteriorChoice;
-//! use silhouette_core::{Method, PreparedMesh};
-//! use silhouette_gpu::{DrawsLines, FrameRenderer, MeshBuffers};
-//! use std::sync::Arc;
-//!
-//! // Once per mesh. The application shades the mesh itself, so that no interior is drawn.
-//! let options = InvertedHullOptions { width: 3.0, interior: InteriorChoice::None, ..InvertedHullOptions::default() };
-//! let buffers = Arc::new(MeshBuffers::new(device, queue, &mesh)?);
-//! let method = InvertedHull::new(&Arc::new(PreparedMesh::new(mesh)), options)?;
-//! let pipelines = Arc::new(method.pipelines(device, formats)?);
-//! let mut renderer = method.renderer(device, queue, &pipelines, &buffers)?;
-//!
-//! // Once per frame.
-//! renderer.prepare(device, queue, view)?;
-//! renderer.encode(encoder);
-//! let mut pass = encoder.begin_render_pass(descriptor);
-//! renderer.draw(&mut pass);
-//! # Ok(())
-//! # }
-//! ```
-//!
-//! The example `outlines` is a whole application. What each costs and leaves out stands with its type.
+//! options for width, ink and interior. The example `outlines` is a whole application. What each costs and leaves out stands with its type.
 
 #[cfg(feature = "gpu")]
 mod distance_field;

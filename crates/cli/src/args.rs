@@ -98,11 +98,11 @@ pub enum Command {
         silhouettes compare bunny.obj -o out/bunny\n  \
         silhouettes compare bunny.obj fandisk.obj --methods brute-force,image-precision --profile quick -o out/two\n  \
         silhouettes compare bunny.obj --methods brute-force,tracking --set tracking.concavity=0,0.5,1 -o out/sweep\n  \
-        silhouettes compare --scene data/scenes/quick.toml -o out/scene\n  \
+        silhouettes compare --scene crates/compare/scenes/quick.toml -o out/scene\n  \
         silhouettes compare bunny.obj --simplify 500 -o out/coarse\n  \
         silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
         silhouettes compare -o out/builtin\n\n\
-        A scene is a TOML file with meshes, camera path, picture, pen and methods; data/scenes/quick.toml explains each key. Paths\n\
+        A scene is a TOML file with meshes, camera path, picture, pen and methods; crates/compare/scenes/quick.toml explains each key. Paths\n\
         in it are relative to its folder. Times and accuracy are of the same frames: of the timed frames some are scored.\n\
         A simplified mesh keeps its components, holes and handles. Where N faces are too few for that, it is refused with the\n\
         number that can be reached.")]
@@ -121,6 +121,17 @@ pub enum Command {
         measured simplified and in full. Values are compared only where model and hardware allow it; elsewhere the\n\
         tables say why not. With all, each paper is written to a folder of its own.")]
     Reproduce(ReproduceArguments),
+}
+
+impl Command {
+    /// Whether a device may be opened to run it.
+    pub fn may_open_device(&self) -> bool {
+        match self {
+            Self::Doctor | Self::Render(_) | Self::Smooth(_) | Self::Compare(_) | Self::Reproduce(_) => true,
+            Self::Lines(arguments) => arguments.quick,
+            Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) => false,
+        }
+    }
 }
 
 /// Arguments of `inspect`.

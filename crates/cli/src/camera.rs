@@ -93,14 +93,18 @@ impl CameraArguments {
         };
         let target = self.target.unwrap_or(fitted.target());
         let eye = match (self.eye, self.view) {
-            (Some(eye), Some(_)) => target + eye.distance(target) * preset_direction.normalize().as_vec3(),
+            (Some(eye), Some(_)) => {
+                let distance = eye.as_dvec3().distance(target.as_dvec3());
+                (target.as_dvec3() + distance * preset_direction.normalize()).as_vec3()
+            }
             (Some(eye), None) => eye,
             (None, _) => fitted.eye() + (target - fitted.target()),
         };
         // The middle of the mesh is only a default: an eye exactly there looks along -z instead.
         let target = if eye == target && self.target.is_none() { target - Vec3::Z } else { target };
-        let up = self.up.unwrap_or_else(|| self.default_up(preset_up, target - eye));
-        if self.up.is_some() && self.eye.is_none() && is_along(target - eye, up) {
+        let forward = target.as_dvec3() - eye.as_dvec3();
+        let up = self.up.unwrap_or_else(|| self.default_up(preset_up, forward));
+        if self.up.is_some() && self.eye.is_none() && is_along(forward, up) {
             let mend = "name another, or say --up-axis z for a mesh whose z points up";
             return Err(Failure::Input(format!("camera: --up is the direction that the view looks along; {mend}")));
         }
@@ -116,14 +120,15 @@ impl CameraArguments {
     }
 
     /// The preset's up, or that of a view from above where an eye of the user's own looks along it.
-    fn default_up(&self, preset_up: Vec3, forward: Vec3) -> Vec3 {
+    fn default_up(&self, preset_up: Vec3, forward: DVec3) -> Vec3 {
         let from_above = ViewPreset::Top.directions_with(self.up_axis.into()).1;
         if self.eye.is_some() && is_along(forward, preset_up) { from_above } else { preset_up }
     }
 }
 
-fn is_along(forward: Vec3, up: Vec3) -> bool {
-    forward.normalize_or_zero().cross(up.normalize_or_zero()).length_squared() < 1e-6
+/// Whether two directions are the same or opposite. In 64 bits: the square of a distance may not fit 32.
+fn is_along(forward: DVec3, up: Vec3) -> bool {
+    forward.normalize_or_zero().cross(up.as_dvec3().normalize_or_zero()).length_squared() < 1e-6
 }
 
 /// Three finite numbers separated by commas.
@@ -188,6 +193,15 @@ mod tests {
         assert!(parse(&["--eye", "0,0,0"]).camera(&BOUNDS).is_ok());
         assert!(parse(&["--eye", "0,9,0"]).camera(&BOUNDS).is_ok(), "looks along the default up");
         assert!(parse(&["--eye", "0,9,0", "--target", "0,9,0"]).camera(&BOUNDS).is_err());
+    }
+
+    #[test]
+    fn eyes_as_far_as_numbers_reach_are_cameras() {
+        for eye in ["0,0,1e20", "0,0,-1e38", "1e30,0,0", "0,0,1e-30", "0,1e25,0", "1e38,1e38,1e38"] {
+            let camera = parse(&["--eye", eye]).camera(&BOUNDS);
+            assert!(camera.is_ok(), "{eye}: {camera:?}");
+            assert!(parse(&["--eye", eye, "--view", "front"]).camera(&BOUNDS).is_ok(), "{eye}");
+        }
     }
 
     #[test]

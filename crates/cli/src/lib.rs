@@ -1,18 +1,10 @@
-//! The command line `silhouettes`, with any list of methods: find, draw and compare the silhouettes of triangle meshes.
+#![doc = include_str!("../README.md")]
 //!
-//! A program with a method of its own has the whole command line in a few lines; the method then stands in every list, report
-//! and message. `examples/own-method` in the repository is such a program.
+//! `examples/own-method` in the repository is a whole program with a method of its own.
 //!
-//! ```no_run
-//! use silhouettes::{Entry, Registry};
-//! # use silhouette_extraction::BruteForce as MyMethod;
+//! # Exit codes
 //!
-//! fn main() -> std::process::ExitCode {
-//!     silhouettes::run(&Registry::builtin().with(Entry::of::<MyMethod>().edges()))
-//! }
-//! ```
-//!
-//! Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 130 interrupted by Ctrl-C. A failure is one line on stderr that names the place
+//! 0 done, 1 the run failed, 2 bad usage or bad input, 130 interrupted by Ctrl-C. A failure is one line on stderr that names the place
 //! and the mend. Results go to stdout or to `-o`, progress and notes to stderr.
 
 mod args;
@@ -26,6 +18,7 @@ mod input;
 mod inspect;
 mod interrupt;
 mod lines;
+mod mesa;
 mod output;
 mod progress;
 mod render;
@@ -43,9 +36,14 @@ use std::process::ExitCode;
 
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {
-    interrupt::listen();
     let result = match Arguments::try_parse_from(spoken::joined(std::env::args_os())) {
-        Ok(arguments) => dispatch(arguments.command, registry),
+        Ok(arguments) => {
+            if arguments.command.may_open_device() {
+                mesa::silence();
+            }
+            interrupt::listen();
+            dispatch(arguments.command, registry)
+        }
         Err(error) if !error.use_stderr() => {
             // Help and version: clap's own text, on stdout. A reader such as `head` that has seen enough is no failure.
             return match error.print() {

@@ -1,7 +1,6 @@
-//! Runs silhouette methods over meshes and camera paths, measures what they cost and how good their pictures are, and
-//! writes a report.
+#![doc = include_str!("../README.md")]
 //!
-//! In the order of a comparison:
+//! # In the order of a comparison
 //!
 //! 1. [`scene`]: what is compared, seen how and measured how thoroughly, as data. [`options`]: of methods.
 //! 2. [`registry`]: the methods, as a value that callers extend. [`drawing`]: frames of any of them.
@@ -16,26 +15,6 @@
 //!
 //! [`plot`]: what charts as SVG are made of.
 //! [`result_directory`]: how directories of results are written.
-//!
-//! ```no_run
-//! use silhouette_compare::registry::Registry;
-//! use silhouette_compare::{CompareConfig, NamedMesh, Profile, report, run};
-//! use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh};
-//! use silhouette_render::{AdapterChoice, Gpu};
-//! use std::sync::Arc;
-//!
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let mesh = TriangleMesh::new(vec![], vec![])?;
-//! let gpu = Gpu::new(AdapterChoice::Any)?;
-//! let model = NamedMesh { name: "model".to_owned(), mesh: Arc::new(PreparedMesh::new(mesh)) };
-//! let mut scene = Profile::Quick.scene();
-//! let registry = Registry::builtin();
-//! scene.set("tracking.concavity=0,0.5,1", &registry)?;
-//! let comparison = run(&CompareConfig::new(scene, &registry)?, &[model.into()], &gpu, &NoProgress)?;
-//! report::write(&comparison, "report".as_ref())?;
-//! # Ok(())
-//! # }
-//! ```
 
 pub mod camera_path;
 pub mod cost;

@@ -55,12 +55,12 @@ pub enum DirectoryError {
         noun: &'static str,
     },
     /// A file could not be read or written.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {cause}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
 }
 
@@ -156,7 +156,7 @@ fn find_foreign(
 
 fn at(path: &Path) -> impl Fn(io::Error) -> DirectoryError {
     let path = path.to_owned();
-    move |source| DirectoryError::Io { path: path.clone(), source }
+    move |cause| DirectoryError::Io { path: path.clone(), cause }
 }
 
 /// A directory under construction beside its final place; removed again unless [`commit`](Self::commit) is called.
@@ -182,17 +182,16 @@ impl StagedDirectory {
         Ok(Self { kind, target, staging, files: BTreeSet::new() })
     }
 
-    /// Where to write the file that will be at this path, `/` between parts, in the finished directory.
+    /// Writes the file that will be at this path, `/` between parts, in the finished directory.
     ///
     /// # Errors
-    /// [`DirectoryError::Io`]: a folder of that path cannot be created.
-    pub fn file(&mut self, name: &str) -> Result<PathBuf, DirectoryError> {
+    /// [`DirectoryError::Io`], with the path in the finished directory: nobody has heard of the one beside it.
+    pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), DirectoryError> {
         let path = self.staging.path().join(name);
-        if let Some(parent) = path.parent() {
-            fs::create_dir_all(parent).map_err(at(parent))?;
-        }
+        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+        folder.and_then(|()| fs::write(&path, bytes)).map_err(at(&self.target.join(name)))?;
         self.files.insert(name.to_owned());
-        Ok(path)
+        Ok(())
     }
 
     /// Puts the directory in its place. An earlier one is moved aside first and removed afterwards, file by file as its
@@ -203,9 +202,9 @@ impl StagedDirectory {
     pub fn commit(mut self) -> Result<(), DirectoryError> {
         let manifest =
             Manifest { version: env!("CARGO_PKG_VERSION").to_owned(), files: std::mem::take(&mut self.files) };
-        let marker = self.staging.path().join(self.kind.marker);
-        let text = serde_json::to_vec_pretty(&manifest).map_err(|error| at(&marker)(error.into()))?;
-        fs::write(&marker, text).map_err(at(&marker))?;
+        let marker = self.kind.marker;
+        let text = serde_json::to_vec_pretty(&manifest).map_err(|error| at(&self.target.join(marker))(error.into()))?;
+        self.write(marker, &text)?;
 
         let put_in_place = || fs::rename(self.staging.path(), &self.target).map_err(at(&self.target));
         match examine(&self.target, self.kind)? {
@@ -270,7 +269,7 @@ mod tests {
     fn write_report(target: &Path, text: &str) -> Result<(), DirectoryError> {
         let mut staged = StagedDirectory::begin(target, REPORT)?;
         for name in ["page.txt", "images/one.txt"] {
-            fs::write(staged.file(name)?, text).unwrap();
+            staged.write(name, text.as_bytes())?;
         }
         staged.commit()
     }
@@ -331,7 +330,10 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let target = dir.path().join("report");
         let mut staged = StagedDirectory::begin(&target, REPORT).unwrap();
-        fs::write(staged.file("page.txt").unwrap(), "half").unwrap();
+        staged.write("page.txt", b"half").unwrap();
+        // A file cannot have one below it.
+        let error = staged.write("page.txt/below.txt", b"more").unwrap_err().to_string();
+        assert!(error.starts_with(target.join("page.txt/below.txt").to_str().unwrap()), "{error}");
         drop(staged);
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
     }

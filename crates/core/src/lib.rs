@@ -1,4 +1,6 @@
-//! One mesh, one exact notion of facing and one small set of traits for every method of the `silhouettes` workspace.
+#![doc = include_str!("../README.md")]
+//!
+//! # What lies where
 //!
 //! Read [`method`] first when you add a method: it is the whole contract. The rest, in the order data flows:
 //!
@@ -61,6 +63,6 @@ pub use mesh::{MeshError, TriangleMesh};
 pub use method::{ExtractsCurves, ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOptions, NoOptions};
 pub use prepared::PreparedMesh;
 pub use progress::{Cancelled, NoProgress, Progress};
-pub use silhouette::SilhouetteEdges;
+pub use silhouette::{SilhouetteEdges, silhouette_edges};
 pub use topology::Topology;
 pub use view::{Camera, Projection, Viewpoint};

@@ -1,8 +1,10 @@
 //! The silhouette edges that follow from a facing.
 
 use crate::facing::FaceFacings;
-use crate::id::{EdgeId, FaceId};
+use crate::id::{EdgeId, FaceId, VertexId};
+use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
+use crate::view::Viewpoint;
 use rayon::prelude::*;
 
 /// Silhouette edges of one view, sorted by id.
@@ -14,6 +16,24 @@ pub struct SilhouetteEdges(Vec<EdgeId>);
 
 /// Edges that a task looks at: some 0.02 ms of work.
 const EDGES_PER_TASK: usize = 8192;
+
+/// The [silhouette edges](SilhouetteEdges) of a mesh from one viewpoint, as pairs of vertices, the lower id first, ascending. Exact.
+///
+/// For one view: it builds the topology, O(F), and forgets it. For several keep a [`Topology`] and ask [`SilhouetteEdges::of`], or
+/// an extractor of `silhouette-extraction`.
+///
+/// ```
+/// use silhouette_core::{Viewpoint, glam::Vec3, shapes, silhouette_edges};
+///
+/// let cube = shapes::by_name("cube")?;
+/// assert_eq!(silhouette_edges(&cube, &Viewpoint::Orthographic { toward_viewer: Vec3::ONE }).len(), 6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn silhouette_edges(mesh: &TriangleMesh, viewpoint: &Viewpoint) -> Vec<[VertexId; 2]> {
+    let topology = Topology::new(mesh);
+    let edges = SilhouetteEdges::of(&topology, &FaceFacings::new(mesh, viewpoint));
+    edges.iter().map(|edge| topology.end_points(edge)).collect()
+}
 
 /// Whether an edge belongs to the silhouette of `facings`. O(faces at the edge).
 ///

@@ -1,30 +1,14 @@
-//! Silhouettes, ridges and valleys of a mesh from one precomputed list of its edges, drawn by the device.
+#![doc = include_str!("../README.md")]
 //!
-//! Jason Zink, "Fast Silhouettes", GameDev.net article 2334: every edge of the mesh goes into a second, static mesh. In each frame a
+//! # The method
+//!
+//! Every edge of the mesh goes into a second, static mesh. In each frame a
 //! stage of the device decides which edges are drawn, and widens those. Here the lines are right in pixels, corners are closed,
 //! views from the plane of a face lose nothing, and the mesh may be open, non-manifold, skinned, stretched or mirrored.
 //!
 //! [`EdgeMesh`] is prepared once per mesh, its pipelines once per set of options, a [`Renderer`] once per instance. In each frame
 //! `prepare` uploads the view, `encode` records compute passes, `draw` records lines in a render pass of the caller's
 //! (`silhouette_gpu` has the convention). The example `outlines` is an application of its own, `skinned` one with instances that move.
-//!
-//! ```
-//! use silhouette_core::view::Viewpoint;
-//! use silhouette_core::{ExtractsEdges, Method, PreparedMesh, SilhouetteEdges, glam::Vec3, shapes};
-//! use silhouette_edge_mesh::{EdgeMesh, EdgeMeshOptions};
-//! use std::sync::Arc;
-//!
-//! let mesh = Arc::new(PreparedMesh::new(shapes::by_name("cube")?));
-//! let options = EdgeMeshOptions { ridge_angle_deg: 60.0, ..EdgeMeshOptions::default() };
-//! let mut method = EdgeMesh::new(&mesh, options)?;
-//! assert_eq!((method.records().len(), method.feature_count()), (18, 12));
-//!
-//! // From the plane of the upper face, one side of the cube is in sight.
-//! let mut edges = SilhouetteEdges::default();
-//! method.extract_edges(&Viewpoint::Perspective { eye: Vec3::new(4.0, 1.0, 0.5) }, &mut edges);
-//! assert_eq!(edges.len(), 4);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 //!
 //! # Steps
 //!

@@ -1,4 +1,6 @@
-//! Silhouette edges of a triangle mesh, found in object space.
+#![doc = include_str!("../README.md")]
+//!
+//! # Which method
 //!
 //! | method | cost per view | choose it when |
 //! |---|---|---|

@@ -1,6 +1,6 @@
-//! The drawing convention between a silhouette method and a wgpu application.
+#![doc = include_str!("../README.md")]
 //!
-//! A method's renderer is middleware: it creates no device, owns no window, submits nothing and reads nothing back.
+//! # Calls
 //!
 //! 1. Once per device and formats, a method makes its [pipelines](DrawsLines::pipelines); once per mesh, there are
 //!    [`MeshBuffers`]; once per instance in a scene, a [renderer](DrawsLines::renderer) shares both.
@@ -8,30 +8,7 @@
 //!    [`FrameRenderer::prepare`], which uploads what changed, [`FrameRenderer::encode`] with its encoder, and, in a render pass whose
 //!    attachments match [`TargetFormats`], [`FrameRenderer::draw`].
 //!
-//! ```no_run
-//! use silhouette_core::glam::DMat4;
-//! use silhouette_core::view::DepthDirection;
-//! use silhouette_gpu::{FrameRenderer, FrameView, Viewport};
-//!
-//! # fn frame(
-//! #     device: &wgpu::Device, queue: &wgpu::Queue, view: DMat4, projection: DMat4, model: DMat4,
-//! #     renderer: &mut dyn FrameRenderer,
-//! # ) -> Result<(), Box<dyn std::error::Error>> {
-//! # let descriptor = wgpu::RenderPassDescriptor::default();
-//! let viewport = Viewport::whole([1920, 1080]);
-//! let view = FrameView::from_matrices(view, projection, DepthDirection::Reversed, viewport)?.with_model(model)?;
-//! renderer.prepare(device, queue, &view)?;
-//! let mut encoder = device.create_command_encoder(&Default::default());
-//! renderer.encode(&mut encoder);
-//! let mut pass = encoder.begin_render_pass(&descriptor); // the application's own, with its own drawing
-//! renderer.draw(&mut pass);
-//! drop(pass);
-//! queue.submit([encoder.finish()]);
-//! # Ok(())
-//! # }
-//! ```
-//!
-//! The example `engine` draws two objects in passes of its own. Colours are [sRGB as displayed](Color), blended premultiplied; a
+//! Colours are [sRGB as displayed](Color), blended premultiplied; a
 //! target takes them [as linear light or as they are](TargetFormats::is_linear).
 //!
 //! Beside the convention lies what renderers share: [`StrokeRenderer`] for polylines and [`EdgeRenderer`] for edges found on the

@@ -1,4 +1,6 @@
-//! Silhouettes that appear in the image: nothing is searched, the depth buffer finds them.
+#![doc = include_str!("../README.md")]
+//!
+//! # Steps
 //!
 //! Ramesh Raskar and Michael Cohen, "Image precision silhouette edges", Symposium on Interactive 3D Graphics 1999: every
 //! variant of it, and `screen`, the corrected one.

@@ -28,25 +28,14 @@ pub enum WriteError {
     /// The directory could not be written.
     #[error(transparent)]
     Directory(#[from] DirectoryError),
-    /// A file could not be written.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
+    /// What a file is to hold cannot be written down.
+    #[error("{file}: {cause}")]
+    Form {
+        /// The file's name in the directory.
+        file: &'static str,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
-    /// A picture could not be encoded.
-    #[error("{name}: {source}")]
-    Picture {
-        /// Its file.
-        name: &'static str,
-        /// Why.
-        source: image::ImageError,
-    },
-    /// The page could not be made.
-    #[error("index.html: {0}")]
-    Page(#[from] minijinja::Error),
 }
 
 /// Whether a reproduction may be written to `directory`: nothing is there, an empty directory, or an earlier reproduction
@@ -67,23 +56,24 @@ pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, W
     let mut staged = StagedDirectory::begin(directory, REPRODUCTION)?;
     let mut table = Vec::new();
     let measured = &reproduction.measured;
-    let written = write_figures(&figures(reproduction.paper.name, &measured.tables), &mut table);
-    written.map_err(|source| WriteError::Io { path: directory.join(TABLES), source })?;
-    let page = page::render(reproduction)?;
-    let mut pictures = Vec::with_capacity(measured.pictures.len());
+    let figures = figures(reproduction.paper.name, &measured.tables);
+    formed(TABLES, write_figures(&figures, &mut table))?;
+    staged.write(TABLES, &table)?;
+    for chart in &measured.charts {
+        staged.write(chart.file_name, chart.svg.as_bytes())?;
+    }
     for picture in &measured.pictures {
         let name = picture.file_name;
-        let png = picture.image.to_png().map_err(|source| WriteError::Picture { name, source })?;
-        pictures.push((name, png));
+        staged.write(name, &formed(name, picture.image.to_png().map_err(io::Error::other))?)?;
     }
-    let charts = measured.charts.iter().map(|chart| (chart.file_name, chart.svg.as_bytes()));
-    let pictures = pictures.iter().map(|(name, png)| (*name, &png[..]));
-    for (name, bytes) in charts.chain(pictures).chain([(TABLES, &table[..]), (PAGE, page.as_bytes())]) {
-        let path = staged.file(name)?;
-        std::fs::write(&path, bytes).map_err(|source| WriteError::Io { path, source })?;
-    }
+    staged.write(PAGE, formed(PAGE, page::render(reproduction).map_err(io::Error::other))?.as_bytes())?;
     staged.commit()?;
     Ok(directory.join(PAGE))
+}
+
+/// The contents of a file, or why there are none.
+fn formed<T>(file: &'static str, contents: io::Result<T>) -> Result<T, WriteError> {
+    contents.map_err(|cause| WriteError::Form { file, cause })
 }
 
 #[cfg(test)]

@@ -1,20 +1,4 @@
-//! Papers on silhouettes, measured again: what each prints beside what this workspace measures.
-//!
-//! ```no_run
-//! use silhouette_compare::{NamedMesh, Profile};
-//! use silhouette_core::{NoProgress, PreparedMesh, shapes};
-//! use silhouette_papers::{Run, find, write};
-//! use std::sync::Arc;
-//!
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let mesh = Arc::new(PreparedMesh::new(shapes::by_name("blob:20000")?));
-//! let meshes = [NamedMesh { name: "blob".to_owned(), mesh }];
-//! let run = Run { profile: Profile::Quick, meshes: &meshes, gpu: None, progress: &NoProgress };
-//! let reproduction = find("tracking").expect("Hall 2003 is in the list").reproduce(&run)?;
-//! write(&reproduction, "out".as_ref())?;
-//! # Ok(())
-//! # }
-//! ```
+#![doc = include_str!("../README.md")]
 //!
 //! # Adding a paper
 //! A paper is one folder and one line of [`ALL`]. Its folder holds the printed numbers, the variants, the measurement, and

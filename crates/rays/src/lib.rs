@@ -1,4 +1,6 @@
-//! Bounding volume hierarchies, and what is asked of a mesh through them.
+#![doc = include_str!("../README.md")]
+//!
+//! # What lies where
 //!
 //! [`hierarchy`] builds hierarchies over boxes of which many may be equal, by `obvhs`; [`mesh_hierarchy`] one over the faces of
 //! a mesh, with questions about distances ([`distance`]) and segments (`segment.rs`). [`ray`] finds where rays meet a mesh.

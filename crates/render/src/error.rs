@@ -23,7 +23,7 @@ pub enum GpuError {
     },
     /// The adapter gave no device.
     #[error("the adapter gave no device: {0}")]
-    NoDevice(#[from] wgpu::RequestDeviceError),
+    NoDevice(wgpu::RequestDeviceError),
     /// Something was used wrongly: a defect of the caller or of this crate.
     #[error("wgpu refused: {0}")]
     Validation(String),
@@ -86,6 +86,12 @@ pub enum GpuError {
     /// A colour format that cannot be read back as RGBA bytes.
     #[error("colour of format {0:?} cannot be read back; use Rgba8Unorm or Rgba8UnormSrgb")]
     ColorFormat(wgpu::TextureFormat),
+}
+
+impl From<wgpu::RequestDeviceError> for GpuError {
+    fn from(cause: wgpu::RequestDeviceError) -> Self {
+        Self::NoDevice(cause)
+    }
 }
 
 impl From<wgpu::Error> for GpuError {

@@ -37,12 +37,12 @@ pub struct IdImage {
 
 /// An image could not be written.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot write {}: {source}", path.display())]
+#[error("cannot write {}: {cause}", path.display())]
 pub struct ImageError {
     /// The file that was asked for.
     pub path: PathBuf,
     /// Why.
-    pub source: image::ImageError,
+    pub cause: image::ImageError,
 }
 
 impl Image {
@@ -93,10 +93,10 @@ impl Image {
         self.to_png()
             .and_then(|png| Ok(std::fs::write(&beside, png)?))
             .and_then(|()| Ok(std::fs::rename(&beside, path)?))
-            .map_err(|source| {
+            .map_err(|cause| {
                 // The part may not exist, and its removal cannot be mended here.
                 let _ = std::fs::remove_file(&beside);
-                ImageError { path: path.to_owned(), source }
+                ImageError { path: path.to_owned(), cause }
             })
     }
 }

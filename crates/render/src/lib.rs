@@ -1,4 +1,6 @@
-//! Headless wgpu: one application of the drawing convention in [`silhouette_gpu`].
+#![doc = include_str!("../README.md")]
+//!
+//! # What lies where
 //!
 //! 1. [`Gpu`]: an adapter by preference, a device whose errors come back as values, GPU timestamps.
 //! 2. [`Target`]: colour and depth textures; a pass drawn into them is submitted and waited for by [`Gpu::draw`].

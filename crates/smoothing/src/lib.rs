@@ -1,32 +1,9 @@
-//! Smooth silhouettes for coarse triangle meshes, and the methods that compete with it.
+#![doc = include_str!("../README.md")]
 //!
-//! [`Smoothing`] is L. Wang, C. Tu, W. Wang, X. Meng, B. Chan and D. Yan, "Silhouette Smoothing for Real-time Rendering of Mesh
-//! Surfaces", IEEE Transactions on Visualization and Computer Graphics 14(3), 2008. It needs no fine mesh: curves are laid through
+//! # The method
+//!
+//! [`Smoothing`] is the method of Wang et al. 2008. It needs no fine mesh: curves are laid through
 //! the triangles that the silhouette crosses, and those triangles alone are replaced by finer ones.
-//!
-//! ```
-//! use silhouette_core::{ExtractsCurves, Method, PreparedMesh, SilhouetteCurves, Viewpoint, glam::Vec3, shapes};
-//! use silhouette_smoothing::{Remesher, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
-//! use std::sync::Arc;
-//!
-//! let mesh = Arc::new(PreparedMesh::new(shapes::by_name("icosphere:1")?)); // 80 faces
-//! let mut method = Smoothing::new(&mesh, SmoothingOptions::default())?;
-//!
-//! // The silhouette as smooth curves: one closed chain, within 0.05 % of the circle.
-//! let mut curves = SilhouetteCurves::default();
-//! method.extract_curves(&Viewpoint::Orthographic { toward_viewer: Vec3::ONE }, &mut curves);
-//! assert!(curves.get(0).closed);
-//!
-//! // The triangles to draw in one view, with normals and the place of each vertex on the mesh.
-//! # use silhouette_core::view::{Camera, Framing, ViewPreset};
-//! # let (direction, up) = ViewPreset::Iso.directions();
-//! # let bounds = mesh.mesh().bounds().ok_or("no faces")?;
-//! # let camera = Camera::framing(&bounds, direction, up, Framing::Orthographic, [512, 512])?;
-//! let mut surface = ViewMesh::default();
-//! method.remesh(&SmoothingView::from_camera(&camera), &mut surface);
-//! assert!(surface.triangles.len() > 80);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 //!
 //! With the feature `gpu`, which is on by default, every method but [`InterpolatedContours`] fills images in your own wgpu pass
 //! (`silhouette_gpu::FillsImage`). [`Smoothing`] makes its triangles on the GPU (`gpu`), unless the option `path` says `cpu`.

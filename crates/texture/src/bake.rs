@@ -159,12 +159,12 @@ pub enum BakeError {
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// The checkpoint cannot be used.
-    #[error("{}: {source}", .path.display())]
+    #[error("{}: {cause}", .path.display())]
     Checkpoint {
         /// The file.
         path: PathBuf,
         /// Why not.
-        source: CheckpointError,
+        cause: CheckpointError,
     },
     /// The arrays do not fit each other, which is a mistake of this crate.
     #[error(transparent)]
@@ -253,7 +253,7 @@ impl<'a> Bake<'a> {
         let (atlas, options) = (source.atlas, &self.options);
         let checkpoint = checkpoint
             .map(|path| {
-                let at = |source| BakeError::Checkpoint { path: path.to_owned(), source };
+                let at = |cause| BakeError::Checkpoint { path: path.to_owned(), cause };
                 let restore = |tile: u32, bytes: &[u8]| target.restore(atlas, tiles, tile, bytes);
                 Checkpoint::open(path, self.fingerprint(), tiles.len() as u32, restore)
                     .map(|file| (file, at))

@@ -1,27 +1,10 @@
-//! Silhouette texture: detailed outlines, inner and outer, from a hull of few vertices and one texture lookup per fragment.
+#![doc = include_str!("../README.md")]
 //!
-//! H. Wu, L.-Y. Wei, X. Wang and B. Guo, "Silhouette Texture", Eurographics Symposium on Rendering 2006. A coarse hull is drawn in
+//! # The method
+//!
+//! A coarse hull is drawn in
 //! place of a fine mesh. At each point of it a *visibility function* says in which directions the mesh is seen there; its border,
 //! as an angle per azimuth, is stored in a 3-D texture. Fragments from which the mesh is not seen are discarded.
-//!
-//! ```
-//! use silhouette_core::{NoProgress, TriangleMesh, glam::Vec3, shapes};
-//! use silhouette_texture::{Bake, BakeOptions, Hull, VolumeSize, siltex};
-//!
-//! let mesh = shapes::by_name("icosphere:3")?;
-//! // A hull of your own. `Hull::enclosing` makes one of as many vertices as you want (cargo feature `simplify`).
-//! let cage = shapes::by_name("icosphere:1")?;
-//! let corners = cage.positions().iter().map(|&corner| 1.3 * corner).collect();
-//! let hull = Hull::checked(&mesh, TriangleMesh::new(corners, cage.triangles().to_vec())?)?; // proved to enclose the mesh
-//!
-//! let size = VolumeSize { width: 64, height: 64, azimuths: 16, pages: 1 };
-//! let (texture, report) = Bake::new(&mesh, &hull, BakeOptions { size, ..BakeOptions::default() }).run(&NoProgress, None)?;
-//! println!("{:.1} rays per sample", report.rays_per_sample());
-//! # let folder = tempfile::tempdir()?;
-//! # let path = folder.path().join("ball.siltex");
-//! siltex::write(&path, &texture, &siltex::Metadata::new(), &NoProgress)?;
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 //!
 //! With the feature `gpu`, which is on by default, [`Texture`], [`TextureLines`] and [`NormalMapHull`] draw it in your own wgpu pass
 //! through the convention of `silhouette_gpu`; [`gpu`] has what they are made of, for textures from files and for shading of your own.

@@ -1,6 +1,8 @@
-//! Silhouette tracking: this frame's silhouette from that of the frame before.
+#![doc = include_str!("../README.md")]
 //!
-//! T. Hall, "Silhouette Tracking", 2003. The steps, in the paper's order:
+//! # Steps
+//!
+//! In the paper's order:
 //!
 //! 1. `connectivity_table` (Preparation): neighbours and plane of each face; `plane_test`: facing by the plane;
 //!    `concave_edges`: concave edges in order of decreasing angle, and the boundary; `refuse` (Restrictions): meshes that
@@ -87,6 +89,6 @@ pub use connectivity_table::ConnectivityTable;
 pub use identity::{LoopEvent, LoopEvents, LoopId, LoopIdentities, Relation};
 pub use method::{ExactTracking, Tracking};
 pub use options::{Accuracy, Concavity, ErrorBudget, MeshPolicy, TestedEdges, TrackerOptions, TrackingOptions};
-pub use refuse::{Defect, DefectKind, NotTrackable};
+pub use refuse::{Defect, DefectKind, NotTrackable, RefusedByMethod};
 pub use stats::{BruteForceReason, TrackingStats};
 pub use tracker::Tracker;

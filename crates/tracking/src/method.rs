@@ -3,6 +3,7 @@
 use crate::concave_edges::TrackedEdges;
 use crate::connectivity_table::ConnectivityTable;
 use crate::options::{Accuracy, TrackerOptions, TrackingOptions};
+use crate::refuse::RefusedByMethod;
 use crate::tracker::Tracker;
 use silhouette_core::glam::Vec3;
 use silhouette_core::loops::LoopStart;
@@ -44,11 +45,12 @@ fn prepare(
     mesh: &Arc<PreparedMesh>,
     edges: Arc<TrackedEdges>,
     options: TrackerOptions,
+    mend: &'static str,
     progress: &dyn Progress,
 ) -> Result<Tracking, PrepareError> {
     let table = mesh.artefact::<ConnectivityTable>(asker, progress)?;
     let tracker = Tracker::new(Arc::clone(mesh.mesh()), table, edges, options);
-    Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(refusal)))?.into())
+    Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(RefusedByMethod { refusal, mend })))?.into())
 }
 
 impl Method for Tracking {
@@ -71,7 +73,8 @@ impl Method for Tracking {
     ) -> Result<Self, PrepareError> {
         options.validate()?;
         let edges = mesh.artefact::<TrackedEdges>(Self::INFO.name, progress)?;
-        prepare(Self::INFO.name, mesh, edges, (*options).into(), progress)
+        let mend = "set the option mesh=cut, which cuts it at these edges";
+        prepare(Self::INFO.name, mesh, edges, (*options).into(), mend, progress)
     }
 
     fn bytes(&self) -> usize {
@@ -134,7 +137,8 @@ impl Method for ExactTracking {
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {
         let options = TrackerOptions { accuracy: Accuracy::Exact, ..TrackerOptions::default() };
-        prepare(Self::INFO.name, mesh, Arc::new(TrackedEdges::none()), options, progress).map(Self)
+        let mend = "take brute-force-simd, which needs no two faces per edge";
+        prepare(Self::INFO.name, mesh, Arc::new(TrackedEdges::none()), options, mend, progress).map(Self)
     }
 
     fn bytes(&self) -> usize {

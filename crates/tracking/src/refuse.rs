@@ -39,6 +39,16 @@ pub struct NotTrackable {
     pub defects: Vec<Defect>,
 }
 
+/// A refusal by a method, with what its user can do about it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{refusal}; mend the mesh, or {mend}")]
+pub struct RefusedByMethod {
+    /// What is wrong.
+    pub refusal: NotTrackable,
+    /// What the method offers beside mending the mesh.
+    pub mend: &'static str,
+}
+
 impl fmt::Display for NotTrackable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let count = self.defects.len();
@@ -53,7 +63,7 @@ impl fmt::Display for NotTrackable {
                 }
             }
         }
-        write!(f, "; mend the mesh, or have it cut at these edges")
+        Ok(())
     }
 }
 

@@ -1,26 +1,9 @@
-//! Exact visible and hidden lines of a triangle mesh, and its outline, as geometry.
+#![doc = include_str!("../README.md")]
+//!
+//! # Calls
 //!
 //! [`LineFinder::find`] yields the lines of a view as connected polylines, each with why it is drawn and how many layers hide
 //! it; [`LineFinder::outline`] the boundary of what the mesh covers in the picture, as polygons. [`plot`] makes files of them.
-//!
-//! ```
-//! use silhouette_core::view::{Framing, ViewPreset};
-//! use silhouette_core::{Camera, NoProgress, PreparedMesh, shapes};
-//! use silhouette_visibility::{LineFinder, LineOptions, LineScene};
-//! use std::sync::Arc;
-//!
-//! let mesh = shapes::by_name("gear")?;
-//! let (direction, up) = ViewPreset::Top.directions();
-//! let camera = Camera::framing(&mesh.bounds().ok_or("no face")?, direction, up, Framing::Orthographic, [800, 600])?;
-//! let mut finder = LineFinder::new(LineScene::new(Arc::new(PreparedMesh::new(mesh))), &NoProgress)?;
-//! let options = LineOptions { ridge_deg: Some(30.0), ..LineOptions::default() };
-//! for chain in finder.find(&camera, &options, &NoProgress)?.chains.iter() {
-//!     println!("{:?}: {:?}", chain.style.kind, chain.pixels);
-//! }
-//! // The rim and the bore.
-//! assert_eq!(finder.outline(&camera, &NoProgress)?.rings.len(), 2);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 //!
 //! # When to choose it
 //!
@@ -118,6 +101,7 @@ mod surface;
 mod unpaired;
 mod vertex_faces;
 mod viewed_mesh;
+mod visible_lines;
 
 pub use cache::LineCache;
 pub use chains::{Chain, ChainStyle, Chains, SegmentSource};
@@ -133,3 +117,4 @@ pub use quick::{FaceIds, FaceIdsError, QuickLineFinder};
 pub use scene::{CurvePiece, LineScene, SceneError};
 pub use unpaired::UnpairedEdges;
 pub use vertex_faces::{VertexFace, VertexFaces};
+pub use visible_lines::visible_lines;

@@ -4,9 +4,9 @@
 //! |---|---|
 //! | `index.html` | charts, pictures and tables for people; asks nothing of the network |
 //! | `run.json` | the scene, the machine, the adapter and the program, and which methods refused which mesh: what all results have in common |
-//! | `results.jsonl` | one [`Cell`] per line, its scored frames nested in it |
+//! | `results.jsonl` | one [`Cell`](crate::record::Cell) per line, its scored frames nested in it |
 //! | `results.csv` | the same as a [flat table](crate::record::flat): one row per scored frame, one column per option |
-//! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`] per line |
+//! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`](crate::scaling::ExtractionRow) per line |
 //! | `images/*.png` | what each cell drew, the truth, the difference |
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
@@ -19,15 +19,16 @@ mod summary;
 pub use chart::COLORS;
 
 use crate::machine::RunDescription;
-use crate::record::Cell;
 use crate::record::flat::Table;
 use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
 use crate::runner::{Comparison, LeftOut};
-use crate::scaling::{ExtractionRow, rows_of_cells, write_rows};
+use crate::scaling::{rows_of_cells, write_rows};
 use crate::scene::Scene;
 use serde::Serialize;
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::{Path, PathBuf};
+
+const PAGE: &str = "index.html";
 
 /// How reports are known.
 const REPORT: DirectoryKind = DirectoryKind { noun: "report", marker: "silhouettes-report.json" };
@@ -48,28 +49,14 @@ pub enum ReportError {
     /// The directory could not be written.
     #[error(transparent)]
     Directory(#[from] DirectoryError),
-    /// A file could not be read or written.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
+    /// What a file is to hold cannot be written down.
+    #[error("{file}: {cause}")]
+    Form {
+        /// The file's name in the report.
+        file: String,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
-    /// A picture could not be written.
-    #[error(transparent)]
-    Picture(#[from] silhouette_render::ImageError),
-    /// The table could not be written.
-    #[error("{}: {source}", path.display())]
-    Table {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: csv::Error,
-    },
-    /// The page could not be made.
-    #[error("index.html: {0}")]
-    Page(#[from] minijinja::Error),
 }
 
 /// Writes the report of a comparison and yields the path of its page. The directory appears as a whole or not at all; one
@@ -79,22 +66,26 @@ pub enum ReportError {
 /// [`ReportError`]; whatever was at `directory` before is still there.
 pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, ReportError> {
     let mut staged = StagedDirectory::begin(directory, REPORT)?;
-    write_run(comparison, &staged.file("run.json")?)?;
-    write_cells(&comparison.cells, &staged.file("results.jsonl")?)?;
-    write_table(&Table::of(&comparison.cells), &staged.file("results.csv")?)?;
+    staged.write("run.json", &formed("run.json", run_file(comparison))?)?;
+    staged.write("results.jsonl", &formed("results.jsonl", rows(&comparison.cells))?)?;
+    staged.write("results.csv", &formed("results.csv", table(&Table::of(&comparison.cells)))?)?;
     let own = rows_of_cells(&comparison.cells, &comparison.run);
     let extractions = [own, comparison.peers.clone()].concat();
-    write_extractions(&extractions, &staged.file("extraction.jsonl")?)?;
+    staged.write("extraction.jsonl", &formed("extraction.jsonl", rows(&extractions))?)?;
     for (index, set) in comparison.pictures.iter().enumerate() {
         for (name, picture) in page::picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
-            picture.save_png(&staged.file(name)?)?;
+            staged.write(name, &formed(name, picture.to_png().map_err(io::Error::other))?)?;
         }
     }
-    let page = page::render(comparison, &extractions)?;
-    let path = staged.file("index.html")?;
-    std::fs::write(&path, page).map_err(|source| ReportError::Io { path, source })?;
+    let page = page::render(comparison, &extractions).map_err(io::Error::other);
+    staged.write(PAGE, formed(PAGE, page)?.as_bytes())?;
     staged.commit()?;
-    Ok(directory.join("index.html"))
+    Ok(directory.join(PAGE))
+}
+
+/// The contents of a file, or why there are none.
+fn formed<T>(file: &str, contents: io::Result<T>) -> Result<T, ReportError> {
+    contents.map_err(|cause| ReportError::Form { file: file.to_owned(), cause })
 }
 
 /// What all results of a run have in common.
@@ -105,38 +96,26 @@ struct RunFile<'a> {
     left_out: &'a [LeftOut],
 }
 
-fn write_run(comparison: &Comparison, path: &Path) -> Result<(), ReportError> {
+fn run_file(comparison: &Comparison) -> io::Result<Vec<u8>> {
     let Comparison { scene, run, left_out, .. } = comparison;
-    let failed = |source| ReportError::Io { path: path.to_owned(), source };
-    let text = serde_json::to_string_pretty(&RunFile { scene, run, left_out });
-    let text = text.map_err(|error| failed(error.into()))?;
-    std::fs::write(path, text + "\n").map_err(failed)
+    let mut text = serde_json::to_vec_pretty(&RunFile { scene, run, left_out })?;
+    text.push(b'\n');
+    Ok(text)
 }
 
-fn write_cells(cells: &[Cell], path: &Path) -> Result<(), ReportError> {
-    let failed = |source| ReportError::Io { path: path.to_owned(), source };
-    let mut out = BufWriter::new(std::fs::File::create(path).map_err(failed)?);
-    for cell in cells {
-        serde_json::to_writer(&mut out, cell).map_err(|error| failed(error.into()))?;
-        out.write_all(b"\n").map_err(failed)?;
-    }
-    out.flush().map_err(failed)
+fn rows<T: Serialize>(rows: &[T]) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    write_rows(rows, &mut text)?;
+    Ok(text)
 }
 
-fn write_extractions(rows: &[ExtractionRow], path: &Path) -> Result<(), ReportError> {
-    let file = std::fs::File::create(path);
-    let written = file.and_then(|file| write_rows(rows, BufWriter::new(file)));
-    written.map_err(|source| ReportError::Io { path: path.to_owned(), source })
-}
-
-fn write_table(table: &Table, path: &Path) -> Result<(), ReportError> {
-    let failed = |source| ReportError::Table { path: path.to_owned(), source };
-    let mut out = csv::Writer::from_path(path).map_err(failed)?;
-    out.write_record(&table.columns).map_err(failed)?;
+fn table(table: &Table) -> io::Result<Vec<u8>> {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    out.write_record(&table.columns)?;
     for row in &table.rows {
-        out.write_record(row).map_err(failed)?;
+        out.write_record(row)?;
     }
-    out.flush().map_err(|error| failed(error.into()))
+    out.into_inner().map_err(csv::IntoInnerError::into_error)
 }
 
 #[cfg(test)]
@@ -144,6 +123,7 @@ mod tests {
     use super::*;
     use crate::metrics::PictureKind;
     use crate::options::OptionSettings;
+    use crate::record::Cell;
     use crate::record::tests as sample;
     use crate::runner::PictureSet;
     use crate::scaling::{read_rows, row};

@@ -45,7 +45,7 @@ impl<'a> Bench<'a> {
         let name = || subject.mesh.name.clone();
         let bounds = subject.mesh.mesh.mesh().bounds().ok_or_else(|| CompareError::EmptyMesh { mesh: name() })?;
         let orbit = scene.path.orbit(scene.picture.size());
-        let cameras = orbit.cameras(&bounds).map_err(|source| CompareError::View { mesh: name(), source })?;
+        let cameras = orbit.cameras(&bounds).map_err(|cause| CompareError::View { mesh: name(), cause })?;
         let warm_up = scene.path.warm_up as usize;
         let scored: Vec<usize> = scene.path.scored_frames().into_iter().map(|frame| warm_up + frame as usize).collect();
         let seen: Vec<Camera> = scored.iter().map(|&index| cameras[index]).collect();
@@ -65,7 +65,7 @@ impl<'a> Bench<'a> {
                 comparison.left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
                 return Ok(());
             }
-            prepared => prepared.map_err(|source| CompareError::draw(&mesh, method, source))?,
+            prepared => prepared.map_err(|cause| CompareError::draw(&mesh, method, cause))?,
         };
         let options = OptionSettings::from(&choice.options);
         let (cell, pictures) = self.score_source(&mut drawing, method, options, prepare)?;
@@ -109,7 +109,7 @@ impl<'a> Bench<'a> {
         let followed =
             follow(source, &self.cameras, &self.scored, self.gpu, self.progress).map_err(|error| match error {
                 FollowError::Cancelled(cancelled) => CompareError::Cancelled(cancelled),
-                FollowError::Draw(source) => CompareError::draw(mesh, method, source),
+                FollowError::Draw(cause) => CompareError::draw(mesh, method, cause),
             })?;
         let score = |(view, frame): (usize, &ScoredFrame)| self.truths.score(view, output, &frame.picture);
         let scores: Vec<Scored> = followed.scored.par_iter().enumerate().map(score).collect();

@@ -28,38 +28,38 @@ pub enum CompareError {
         mesh: String,
     },
     /// The views cannot be set up.
-    #[error("{mesh}: {source}")]
+    #[error("{mesh}: {cause}")]
     View {
         /// The mesh.
         mesh: String,
         /// What is wrong.
-        source: ViewError,
+        cause: ViewError,
     },
     /// The truth could not be found.
-    #[error("{mesh}: {source}")]
+    #[error("{mesh}: {cause}")]
     Truth {
         /// The mesh.
         mesh: String,
         /// What went wrong.
-        source: TruthError,
+        cause: TruthError,
     },
     /// The truth of filled pictures could not be drawn.
-    #[error("{mesh}: {source}")]
+    #[error("{mesh}: {cause}")]
     FillTruth {
         /// The mesh.
         mesh: String,
         /// What went wrong.
-        source: FillTruthError,
+        cause: FillTruthError,
     },
     /// A method could not be prepared or drawn.
-    #[error("{mesh}, {method}: {source}")]
+    #[error("{mesh}, {method}: {cause}")]
     Draw {
         /// The mesh.
         mesh: String,
         /// The method.
         method: String,
         /// What went wrong.
-        source: DrawError,
+        cause: DrawError,
     },
     /// Stopped by the progress.
     #[error(transparent)]
@@ -68,19 +68,19 @@ pub enum CompareError {
 
 impl CompareError {
     /// Names the mesh; a cancellation stays one, however deep it happened.
-    pub(super) fn truth(mesh: &str, source: TruthError) -> Self {
-        match source {
+    pub(super) fn truth(mesh: &str, cause: TruthError) -> Self {
+        match cause {
             TruthError::Prepare(PrepareError::Cancelled(cancelled))
             | TruthError::Lines(LineError::Cancelled(cancelled)) => Self::Cancelled(cancelled),
-            source => Self::Truth { mesh: mesh.to_owned(), source },
+            cause => Self::Truth { mesh: mesh.to_owned(), cause },
         }
     }
 
     /// Names mesh and method; a cancellation stays one, however deep it happened.
-    pub(super) fn draw(mesh: &str, method: &str, source: DrawError) -> Self {
-        match source {
+    pub(super) fn draw(mesh: &str, method: &str, cause: DrawError) -> Self {
+        match cause {
             DrawError::Prepare(PrepareError::Cancelled(cancelled)) => Self::Cancelled(cancelled),
-            source => Self::Draw { mesh: mesh.to_owned(), method: method.to_owned(), source },
+            cause => Self::Draw { mesh: mesh.to_owned(), method: method.to_owned(), cause },
         }
     }
 }

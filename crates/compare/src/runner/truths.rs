@@ -42,7 +42,7 @@ impl<'a> Truths<'a> {
     /// [`CompareError::Truth`], [`CompareError::Cancelled`].
     pub fn find(subject: &'a Subject, cameras: &[Camera], progress: &dyn Progress) -> Result<Self, CompareError> {
         let mesh = &subject.mesh.mesh;
-        let failed = |source| CompareError::truth(&subject.mesh.name, source);
+        let failed = |cause| CompareError::truth(&subject.mesh.name, cause);
         let mut finder = TruthFinder::new(mesh, progress).map_err(failed)?;
         progress.stage(&format!("{}: truth", subject.mesh.name), cameras.len() as u64);
         let mut views = Vec::with_capacity(cameras.len());
@@ -75,7 +75,7 @@ impl<'a> Truths<'a> {
                 self.pens.insert(pen.placement, drawn);
             }
             Output::Fill if self.fills.is_empty() => {
-                let failed = |source| CompareError::FillTruth { mesh: self.mesh.name.clone(), source };
+                let failed = |cause| CompareError::FillTruth { mesh: self.mesh.name.clone(), cause };
                 let fine = self.subject.truth.as_ref().unwrap_or(self.subject.mesh.mesh.mesh());
                 let mut truth = FillTruth::new(gpu, fine).map_err(failed)?;
                 let mut drawn = Vec::with_capacity(self.views.len());

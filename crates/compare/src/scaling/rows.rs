@@ -72,12 +72,12 @@ pub struct ExtractionRow {
 #[non_exhaustive]
 pub enum RowsError {
     /// The file could not be read.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {cause}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
     /// A line is no row.
     #[error("{}: line {line}: {fault}", path.display())]
@@ -145,7 +145,7 @@ impl ExtractionRow {
 /// # Errors
 /// [`RowsError`] names the file and the first line that is no row; a file without a row is refused too.
 pub fn read_rows(path: &Path) -> Result<Vec<ExtractionRow>, RowsError> {
-    let failed = |source| RowsError::Io { path: path.to_owned(), source };
+    let failed = |cause| RowsError::Io { path: path.to_owned(), cause };
     let mut input = BufReader::new(File::open(path).map_err(failed)?);
     let mut rows = Vec::new();
     let mut text = Vec::new();
@@ -175,7 +175,7 @@ fn parse(line: &[u8]) -> Result<ExtractionRow, RowFault> {
 ///
 /// # Errors
 /// Whatever `out` reports.
-pub fn write_rows(rows: &[ExtractionRow], mut out: impl Write) -> io::Result<()> {
+pub fn write_rows<T: Serialize>(rows: &[T], mut out: impl Write) -> io::Result<()> {
     for row in rows {
         serde_json::to_writer(&mut out, row)?;
         out.write_all(b"\n")?;

@@ -20,7 +20,7 @@ pub struct SceneError {
 #[non_exhaustive]
 pub enum SceneFault {
     /// Its file cannot be read.
-    #[error("{0}")]
+    #[error(transparent)]
     Io(#[from] io::Error),
     /// Its file is longer than any scene.
     #[error("longer than {limit} bytes, so no scene")]
@@ -56,7 +56,7 @@ pub enum SceneFault {
     },
     /// There is no such method.
     #[error("methods: {0}")]
-    Method(#[from] UnknownMethod),
+    Method(UnknownMethod),
     /// A method yields no picture.
     #[error("{method} yields no picture that could be compared")]
     NoPicture {
@@ -109,6 +109,12 @@ pub enum SceneFault {
         /// What was given.
         text: String,
     },
+}
+
+impl From<UnknownMethod> for SceneFault {
+    fn from(cause: UnknownMethod) -> Self {
+        Self::Method(cause)
+    }
 }
 
 impl SceneFault {

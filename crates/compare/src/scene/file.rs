@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use crate::options::OptionSetting;
 
-    const QUICK: &str = include_str!("../../../../data/scenes/quick.toml");
+    const QUICK: &str = include_str!("../../scenes/quick.toml");
 
     fn refused(text: &str) -> String {
         let dir = tempfile::tempdir().unwrap();

@@ -4,7 +4,7 @@
 //! 2. [`limits`]: every value is within its range, and the whole small enough to be run.
 //! 3. [`cells`]: methods and their options are looked up in the registry; lists of values become one cell for each.
 //!
-//! [`Profile`] names the built-in scenes, `data/scenes/*.toml`.
+//! [`Profile`] names the built-in scenes, `scenes/*.toml`.
 
 pub mod cells;
 pub mod error;

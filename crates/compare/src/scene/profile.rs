@@ -5,9 +5,9 @@ use super::model::Scene;
 /// A built-in scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {
-    /// `data/scenes/quick.toml`: under a minute per mesh on two cores without a graphics card, most of it for silhouette textures.
+    /// `scenes/quick.toml`: under a minute per mesh on two cores without a graphics card, most of it for silhouette textures.
     Quick,
-    /// `data/scenes/full.toml`: a whole turn in large pictures.
+    /// `scenes/full.toml`: a whole turn in large pictures.
     Full,
 }
 
@@ -29,8 +29,8 @@ impl Profile {
     /// Never: a test parses every built-in scene.
     pub fn scene(self) -> Scene {
         let text = match self {
-            Self::Quick => include_str!("../../../../data/scenes/quick.toml"),
-            Self::Full => include_str!("../../../../data/scenes/full.toml"),
+            Self::Quick => include_str!("../../scenes/quick.toml"),
+            Self::Full => include_str!("../../scenes/full.toml"),
         };
         Scene::parse(text, self.name().to_owned()).expect("built-in scenes are tested")
     }

@@ -16,7 +16,6 @@ pub struct LoadError {
     /// Where in the file; `None` where the whole file is at fault.
     pub place: Option<Place>,
     /// What is wrong.
-    #[source]
     pub problem: Problem,
 }
 
@@ -64,7 +63,7 @@ pub enum Problem {
     NoRegularFile,
     /// The operating system refused to read.
     #[error("cannot be read ({0}); check its permissions and that the disk is in order")]
-    Io(#[source] io::Error),
+    Io(io::Error),
     /// The file has no bytes.
     #[error("the file is empty; export or download it again")]
     Empty,
@@ -162,10 +161,16 @@ pub enum Problem {
     },
     /// The arrays were read but make no mesh.
     #[error("{0}; repair the file or export it again")]
-    Mesh(#[from] MeshError),
+    Mesh(MeshError),
     /// The work was stopped by its [`Progress`](crate::progress::Progress).
     #[error("loading was cancelled; run it again to load the file")]
     Cancelled(#[from] Cancelled),
+}
+
+impl From<MeshError> for Problem {
+    fn from(cause: MeshError) -> Self {
+        Self::Mesh(cause)
+    }
 }
 
 /// A problem with its place, before the file's name is known.

@@ -17,7 +17,6 @@ pub struct SiltexError {
     /// Where in the file.
     pub place: Place,
     /// What is wrong.
-    #[source]
     pub problem: Problem,
 }
 
@@ -71,10 +70,10 @@ pub enum Problem {
     Missing,
     /// The operating system refused to read.
     #[error("cannot be read ({0}); check the path, its permissions and the disk")]
-    Read(#[source] io::Error),
+    Read(io::Error),
     /// The operating system refused to write.
     #[error("cannot be written ({}); name a place that can be, with room enough", .0.kind())]
-    Write(#[source] io::Error),
+    Write(io::Error),
     /// Writing was stopped.
     #[error("writing was cancelled and has changed nothing; run it again")]
     Cancelled(#[from] Cancelled),
@@ -150,7 +149,7 @@ pub enum Problem {
     },
     /// A texture of a size beyond the limits.
     #[error("{0}; bake the texture again")]
-    Size(#[from] VolumeSizeError),
+    Size(VolumeSizeError),
     /// A number beyond its range.
     #[error("{what} is {found}, {range} is supported; bake the texture again")]
     Range {
@@ -163,7 +162,7 @@ pub enum Problem {
     },
     /// The hull is no mesh.
     #[error("{0}; bake the texture again")]
-    Hull(#[from] MeshError),
+    Hull(MeshError),
     /// A value that no bake yields.
     #[error("{what} {index} is not {rule}; bake the texture again")]
     Value {
@@ -176,7 +175,7 @@ pub enum Problem {
     },
     /// Arrays that do not fit each other.
     #[error("{0}; bake the texture again")]
-    Parts(#[from] crate::silhouette_texture::PartsError),
+    Parts(crate::silhouette_texture::PartsError),
     /// Metadata whose keys are out of order or empty, whose lengths do not add up, or that is not UTF-8.
     #[error("{0}; bake the texture again")]
     Metadata(&'static str),
@@ -186,6 +185,24 @@ pub enum Problem {
         /// How many are needed for one section.
         bytes: u64,
     },
+}
+
+impl From<VolumeSizeError> for Problem {
+    fn from(cause: VolumeSizeError) -> Self {
+        Self::Size(cause)
+    }
+}
+
+impl From<MeshError> for Problem {
+    fn from(cause: MeshError) -> Self {
+        Self::Hull(cause)
+    }
+}
+
+impl From<crate::silhouette_texture::PartsError> for Problem {
+    fn from(cause: crate::silhouette_texture::PartsError) -> Self {
+        Self::Parts(cause)
+    }
 }
 
 /// The smallest and the largest number that is supported.

@@ -127,7 +127,7 @@ fn a_file_of_something_else_is_refused_and_left_alone() {
     let path = folder.path().join("checkpoint");
     let scene = scene(AngleFormat::Unorm8, CenterRule::Vertex);
     let refused = |scene: &Scene| match scene.bake().run(&NoProgress, Some(&path)) {
-        Err(BakeError::Checkpoint { source, .. }) => source,
+        Err(BakeError::Checkpoint { cause, .. }) => cause,
         other => panic!("{:?}", other.map(|(_, report)| report)),
     };
     std::fs::write(&path, b"solid teapot, and thirty bytes more").unwrap();

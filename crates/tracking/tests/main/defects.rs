@@ -1,9 +1,9 @@
 use crate::scenes::{Scene, ordered, real_meshes};
 use silhouette_core::method::{OptionError, PrepareError};
-use silhouette_core::{EdgeId, FaceId, Method};
+use silhouette_core::{EdgeId, FaceId, Method, NoOptions};
 use silhouette_testing::prepare::prepared;
 use silhouette_testing::zoo;
-use silhouette_tracking::{DefectKind, MeshPolicy, TrackerOptions, Tracking, TrackingOptions};
+use silhouette_tracking::{DefectKind, ExactTracking, MeshPolicy, TrackerOptions, Tracking, TrackingOptions};
 
 #[test]
 fn defects_are_refused_by_name() {
@@ -26,6 +26,10 @@ fn the_method_reports_the_refusal() {
     let mesh = prepared(zoo::finned_blob());
     let refusal = Tracking::new(&mesh, TrackingOptions::default()).unwrap_err();
     assert!(matches!(refusal, PrepareError::Mesh(_)), "{refusal}");
+    assert!(refusal.to_string().ends_with("or set the option mesh=cut, which cuts it at these edges"), "{refusal}");
+    // The exact mode has no options.
+    let refusal = ExactTracking::new(&mesh, NoOptions).unwrap_err();
+    assert!(!refusal.to_string().contains("cut") && refusal.to_string().contains("brute-force-simd"), "{refusal}");
     let cut = TrackingOptions { mesh_policy: MeshPolicy::Cut, ..TrackingOptions::default() };
     let out_of_range = Tracking::new(&mesh, TrackingOptions { audit_share: 0.0, ..cut }).unwrap_err();
     assert!(matches!(out_of_range, PrepareError::Option(OptionError::Value { name: "audit-share", .. })));
