@@ -59,7 +59,7 @@ pub enum Command {
         silhouettes lines house.obj tree.obj --units px --size 1600x900 --stats -o scene.svg\n  \
         silhouettes lines part.stl --hidden -o part.json\n  \
         silhouettes lines coarse.obj --smooth -o smooth.svg\n\n\
-        Kinds: silhouette, boundary, ridge, valley, material, intersection, curve, mesh; for pens also outline.\n\
+        Kinds: silhouette, boundary, ridge, valley, material, intersection, curve (with --smooth), mesh; for pens also outline.\n\
         An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart.\n\
         JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\
         \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.\n\
