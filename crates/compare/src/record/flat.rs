@@ -1,10 +1,12 @@
 //! Cells as a flat table: one row per scored view.
 //!
 //! What belongs to the whole run is not in it. Each option is a column, named `METHOD.OPTION` as on the command line and
-//! empty in rows of other methods. Metrics of kinds of picture that no cell has are left out.
+//! empty in rows of other methods. Metrics of kinds of picture that no cell has are left out. Last come the [lengths](LENGTHS)
+//! of where pictures of lines err.
 
 use super::{Cell, View};
 use crate::metrics::PictureKind;
+use crate::metrics::line_errors::LENGTHS;
 use crate::metrics::table::MetricSpec;
 
 /// A table.
@@ -72,9 +74,12 @@ impl Table {
         let metrics: Vec<&MetricSpec> =
             PictureKind::ALL.into_iter().filter(is_there).flat_map(PictureKind::metrics).collect();
 
+        let lengths = if cells.iter().any(|cell| cell.picture == PictureKind::Lines) { LENGTHS } else { &[] };
+
         let names = COLUMNS.iter().map(|(name, _)| (*name).to_owned());
         let option_names = options.iter().map(|(method, option)| format!("{method}.{option}"));
         let metric_names = metrics.iter().map(|metric| metric.name.to_owned());
+        let length_names = lengths.iter().map(|length| length.name.to_owned());
         let row = |cell: &Cell, view: &View| {
             let option = |&(method, name): &(&str, &str)| {
                 let value = cell.options.0.get(name).filter(|_| cell.method == method);
@@ -82,10 +87,12 @@ impl Table {
             };
             let fixed = COLUMNS.iter().map(|(_, value)| value(cell, view));
             let measured = metrics.iter().map(|metric| optional((metric.value)(&view.metrics)));
-            fixed.chain(options.iter().map(option)).chain(measured).collect()
+            let errors = view.errors.as_ref();
+            let lengths = lengths.iter().map(|length| optional(errors.and_then(length.value)));
+            fixed.chain(options.iter().map(option)).chain(measured).chain(lengths).collect()
         };
         Self {
-            columns: names.chain(option_names).chain(metric_names).collect(),
+            columns: names.chain(option_names).chain(metric_names).chain(length_names).collect(),
             rows: cells.iter().flat_map(|cell| cell.views.iter().map(move |view| row(cell, view))).collect(),
         }
     }
@@ -116,6 +123,8 @@ mod tests {
         assert_eq!(column("xor_share"), ["", "", "", "0.125"]);
         assert_eq!(column("frame"), ["5", "15", "5", "5"]);
         assert_eq!(column("gpu_median_ms"), [""; 4]);
+        assert_eq!(column("true_crease_px"), ["20", "20", "20", ""]);
+        assert_eq!(column("true_inner_px"), [""; 4], "where the outline is not known");
     }
 
     #[test]

@@ -6,6 +6,7 @@ pub mod flat;
 pub mod label;
 
 use crate::cost::{FrameCost, PrepareCost};
+use crate::metrics::LineErrors;
 use crate::metrics::table::{PictureKind, PictureMetrics};
 use crate::options::OptionSettings;
 use serde::{Deserialize, Serialize};
@@ -49,6 +50,9 @@ pub struct View {
     pub edges: Option<EdgeScore>,
     /// Quality of the picture.
     pub metrics: PictureMetrics,
+    /// Where it errs, for pictures of lines.
+    #[serde(default)]
+    pub errors: Option<LineErrors>,
 }
 
 /// A mesh, as far as results need it.
@@ -149,6 +153,11 @@ impl Cell {
         scores().next().map(|_| share)
     }
 
+    /// Where its pictures of lines err, averaged over the views, each counting the same.
+    pub fn mean_errors(&self) -> Option<LineErrors> {
+        LineErrors::mean(self.views.iter().filter_map(|view| view.errors.as_ref()))
+    }
+
     /// The metrics averaged over the views, each counting the same; `None` where there is no view.
     pub fn mean_metrics(&self) -> Option<PictureMetrics> {
         PictureMetrics::mean(&self.views.iter().map(|view| view.metrics).collect::<Vec<_>>())
@@ -201,6 +210,7 @@ pub(crate) mod tests {
             truth: TruthRecord { silhouette_edges: 4, visible_length_px: 20.0, area_px: None },
             edges: Some(EdgeScore { found: 4, precision: 1.0, recall: 1.0 }),
             metrics: PictureMetrics::Lines(LineMetrics { chamfer_px, width_mean_px: 2.0, ..LineMetrics::default() }),
+            errors: Some(LineErrors { true_crease_px: 20.0, true_unexplained_px: 20.0, ..LineErrors::default() }),
         }
     }
 
@@ -210,7 +220,7 @@ pub(crate) mod tests {
         filled.picture = PictureKind::Fill;
         filled.pen = None;
         for view in &mut filled.views {
-            view.edges = None;
+            (view.edges, view.errors) = (None, None);
             view.metrics = PictureMetrics::Fill(FillMetrics { xor_share, ..FillMetrics::default() });
         }
         filled

@@ -15,8 +15,10 @@ mod extraction_chart;
 mod measure;
 mod page;
 mod summary;
+mod where_it_errs;
 
 pub use chart::COLORS;
+pub use where_it_errs::sentence;
 
 use crate::machine::RunDescription;
 use crate::record::Cell;

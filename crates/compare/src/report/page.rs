@@ -3,6 +3,7 @@
 use super::chart::{self, COLORS};
 use super::extraction_chart;
 use super::summary::{CellSummary, MeshSummary, baseline, summarise};
+use super::where_it_errs;
 use crate::metrics::PictureKind;
 use crate::metrics::table::{Better, MetricSpec};
 use crate::record::Cell;
@@ -80,6 +81,7 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
                 chart => Value::from_safe_string(chart::chart(&id, kind, &cells, series)),
                 metrics => kind.metrics().map(metric_row).collect::<Vec<_>>(),
                 rows => cells.iter().map(|cell| quality_row(kind, &cells, cell, color(cell))).collect::<Vec<_>>(),
+                errors => cells.iter().filter_map(|cell| where_it_errs::row(cell, color(cell))).collect::<Vec<_>>(),
                 pictures => sets.map(|(at, set)| picture_row(comparison, at, set)).collect::<Vec<_>>(),
             }
         })
@@ -319,9 +321,9 @@ mod tests {
         }
         let page = rendered(&comparison);
         for options in ["concavity=0", "concavity=0.5"] {
-            // In the tables of quality and of cost.
+            // In the table of quality, the three of errors, and that of cost.
             let row = format!("tracking<span class=\"options\">{options}</span>");
-            assert_eq!(page.matches(&row).count(), 2, "{options}");
+            assert_eq!(page.matches(&row).count(), 5, "{options}");
             assert!(page.contains(&format!("tracking ({options})")), "{options} in the chart");
         }
     }
@@ -334,6 +336,12 @@ mod tests {
         assert!(page.contains("<td class=\"wrong\">recall 75.00 %, worst frame 75.00 %</td>"));
         comparison.cells[0].views[0].edges = Some(EdgeScore { found: 6, precision: 0.5, recall: 0.75 });
         assert!(rendered(&comparison).contains("worst frame 75.00 %; precision 50.00 %</td>"));
+    }
+
+    #[test]
+    fn where_lines_err_stands_beside_what_they_miss() {
+        let page = rendered(&comparison());
+        assert!(page.contains("Lines: where they err") && page.contains("<td>Misses nothing.</td>"));
     }
 
     #[test]

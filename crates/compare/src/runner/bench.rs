@@ -49,7 +49,7 @@ impl<'a> Bench<'a> {
         let warm_up = scene.path.warm_up as usize;
         let scored: Vec<usize> = scene.path.scored_frames().into_iter().map(|frame| warm_up + frame as usize).collect();
         let seen: Vec<Camera> = scored.iter().map(|&index| cameras[index]).collect();
-        let truths = Truths::find(subject, &seen, progress)?;
+        let truths = Truths::find(subject, &seen, scene.pen.width_px, progress)?;
         Ok(Self { scene, gpu, progress, subject, cameras, scored, truths })
     }
 
@@ -160,6 +160,7 @@ impl<'a> Bench<'a> {
             truth: self.truths.record(view, output),
             edges: frame.edges.as_ref().map(|found| self.truths.score_edges(view, found)),
             metrics: scored.metrics,
+            errors: scored.errors,
         }
     }
 }

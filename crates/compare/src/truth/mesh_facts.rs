@@ -1,0 +1,163 @@
+//! [`MeshFacts`]: what is known of a mesh's edges and faces before any view that makes methods err.
+
+use silhouette_core::face_normal::face_normal;
+use silhouette_core::inside_out::inside_out_faces;
+use silhouette_core::{DisjointSets, EdgeId, FaceId, Topology, TriangleMesh};
+
+/// Least dihedral angle of a crease, in degrees: what viewers of CAD models draw by default.
+pub const CREASE_DEG: f64 = 30.0;
+
+/// Which kind of line an edge is when it is drawn. Each edge has one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EdgeKind {
+    /// It has more than one face and is no crease: a line only where a view makes it one.
+    Silhouette,
+    /// It joins two consistently wound faces whose normals differ by [`CREASE_DEG`] or more.
+    Crease,
+    /// It has one face.
+    Boundary,
+}
+
+/// A property of the mesh at a place of the picture that is known to make methods err there. Each place has one: the first
+/// that holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Circumstance {
+    /// The surface ends: a line is a boundary edge, or ink lies where a face of an open part is seen from its back.
+    OpenBoundary,
+    /// Faces are wound inwards, or against their neighbours.
+    InwardWinding,
+    /// Each of the faces covers less than a pixel.
+    SmallFaces,
+    /// None of these.
+    Unexplained,
+}
+
+/// Facts of a mesh that do not depend on the view.
+#[derive(Debug)]
+pub struct MeshFacts {
+    kinds: Vec<EdgeKind>,
+    /// By edge: whether faces there are wound inwards or against each other.
+    is_wrongly_wound: Vec<bool>,
+    /// By face: whether it is wound inwards.
+    is_inward: Vec<bool>,
+    /// By face: whether the part of the surface that it belongs to has a boundary edge.
+    is_open: Vec<bool>,
+}
+
+impl MeshFacts {
+    /// Collects them. A part is what consistently wound pairs of faces join; whether it is wound inwards is certain where it
+    /// is closed and a guess by its signed volume where it is open. O(E α(F)).
+    pub fn new(mesh: &TriangleMesh, topology: &Topology) -> Self {
+        let is_inward = inside_out_faces(mesh, topology);
+        let edges = || (0..topology.edge_count()).map(EdgeId::from_usize);
+        let mut parts = DisjointSets::new(mesh.face_count());
+        let (mut kinds, mut is_wrongly_wound) = (Vec::new(), Vec::new());
+        let least_cosine = CREASE_DEG.to_radians().cos();
+        for edge in edges() {
+            let pair = topology.consistent_pair(mesh, edge);
+            if let Some([a, b]) = pair {
+                parts.unite(a.get(), b.get());
+            }
+            let normals = pair.map(|faces| faces.map(|face| face_normal(mesh.corners(face))));
+            kinds.push(match (topology.faces(edge).len(), normals) {
+                (1, _) => EdgeKind::Boundary,
+                (_, Some([Some(one), Some(other)])) if one.dot(other) <= least_cosine => EdgeKind::Crease,
+                _ => EdgeKind::Silhouette,
+            });
+            let is_turned = pair.is_none() && topology.faces(edge).len() == 2;
+            is_wrongly_wound.push(is_turned || topology.faces(edge).any(|face| is_inward[face.index()]));
+        }
+        let mut has_boundary = vec![false; mesh.face_count()];
+        for edge in edges().filter(|edge| kinds[edge.index()] == EdgeKind::Boundary) {
+            topology.faces(edge).for_each(|face| has_boundary[parts.find(face.get()) as usize] = true);
+        }
+        let is_open = (0..mesh.face_count() as u32).map(|face| has_boundary[parts.find(face) as usize]).collect();
+        Self { kinds, is_wrongly_wound, is_inward, is_open }
+    }
+
+    /// Which kind of line an edge is.
+    pub fn kind(&self, edge: EdgeId) -> EdgeKind {
+        self.kinds[edge.index()]
+    }
+
+    /// The circumstance of a line along an edge; `has_small_faces` says whether each of its faces covers less than a pixel.
+    pub fn of_edge(&self, edge: EdgeId, has_small_faces: impl FnOnce() -> bool) -> Circumstance {
+        if self.kind(edge) == EdgeKind::Boundary {
+            Circumstance::OpenBoundary
+        } else if self.is_wrongly_wound[edge.index()] {
+            Circumstance::InwardWinding
+        } else if has_small_faces() {
+            Circumstance::SmallFaces
+        } else {
+            Circumstance::Unexplained
+        }
+    }
+
+    /// The circumstance of ink on a face that is seen from its front or its back; [`Circumstance::SmallFaces`] is for the
+    /// caller to decide. The back of a closed part that is wound outwards is seen from its inside alone.
+    pub fn of_face(&self, face: FaceId, is_back: bool) -> Circumstance {
+        let (inward, open) = (self.is_inward[face.index()], self.is_open[face.index()]);
+        match (is_back, inward, open) {
+            (true, true, _) => Circumstance::InwardWinding,
+            (true, false, true) => Circumstance::OpenBoundary,
+            _ => Circumstance::Unexplained,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use silhouette_core::inside_out::turned;
+    use silhouette_core::shapes;
+
+    fn facts(mesh: &TriangleMesh) -> (Topology, MeshFacts) {
+        let topology = Topology::new(mesh);
+        let facts = MeshFacts::new(mesh, &topology);
+        (topology, facts)
+    }
+
+    fn count(mesh: &TriangleMesh, kind: EdgeKind) -> usize {
+        let (topology, facts) = facts(mesh);
+        (0..topology.edge_count()).filter(|&edge| facts.kind(EdgeId::from_usize(edge)) == kind).count()
+    }
+
+    #[test]
+    fn each_edge_has_one_kind() {
+        let cube = shapes::by_name("cube").unwrap();
+        let of_cube = [EdgeKind::Silhouette, EdgeKind::Crease, EdgeKind::Boundary].map(|kind| count(&cube, kind));
+        assert_eq!(of_cube, [6, 12, 0], "the diagonals of its sides bend nowhere");
+        let open = TriangleMesh::new(cube.positions().to_vec(), cube.triangles()[..10].to_vec()).unwrap();
+        assert_eq!(count(&open, EdgeKind::Boundary), 4);
+    }
+
+    #[test]
+    fn winding_and_openness_are_those_of_whole_parts() {
+        let cube = shapes::by_name("cube").unwrap();
+        let inverted = turned(&cube, &[true; 12]);
+        let (topology, of_inverted) = facts(&inverted);
+        for edge in (0..topology.edge_count()).map(EdgeId::from_usize) {
+            assert_eq!(of_inverted.of_edge(edge, || true), Circumstance::InwardWinding);
+        }
+        assert_eq!(of_inverted.of_face(FaceId::new(0), true), Circumstance::InwardWinding);
+        let (_, of_cube) = facts(&cube);
+        assert_eq!(of_cube.of_face(FaceId::new(0), true), Circumstance::Unexplained);
+        let open = TriangleMesh::new(cube.positions().to_vec(), cube.triangles()[..10].to_vec()).unwrap();
+        let (topology, of_open) = facts(&open);
+        assert_eq!(of_open.of_face(FaceId::new(0), true), Circumstance::OpenBoundary);
+        assert_eq!(of_open.of_face(FaceId::new(0), false), Circumstance::Unexplained);
+        let boundary = (0..topology.edge_count()).map(EdgeId::from_usize).find(|&edge| topology.faces(edge).len() == 1);
+        assert_eq!(of_open.of_edge(boundary.unwrap(), || true), Circumstance::OpenBoundary);
+    }
+
+    #[test]
+    fn a_face_turned_against_its_neighbours_shows_at_its_edges_alone() {
+        let ball = shapes::by_name("icosphere:2").unwrap();
+        let mut is_turned = vec![false; ball.face_count()];
+        is_turned[7] = true;
+        let (topology, facts) = facts(&turned(&ball, &is_turned));
+        let wrong = (0..topology.edge_count()).map(EdgeId::from_usize);
+        let wrong = wrong.filter(|&edge| facts.of_edge(edge, || false) == Circumstance::InwardWinding);
+        assert_eq!(wrong.count(), 3);
+    }
+}
