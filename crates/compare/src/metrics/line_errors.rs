@@ -107,13 +107,12 @@ impl LineErrors {
     }
 
     /// The average of several, each counting the same; `None` of none. A length that any of them lacks is lacking.
-    pub fn mean<'a>(all: impl Iterator<Item = &'a Self> + Clone) -> Option<Self> {
-        let count = all.clone().count() as f64;
-        let mut mean = *all.clone().next()?;
+    pub fn mean(all: &[Self]) -> Option<Self> {
+        let mut mean = *all.first()?;
         for length in LENGTHS {
-            let sum: Option<f64> = all.clone().map(length.value).sum();
+            let sum: Option<f64> = all.iter().map(length.value).sum();
             if let Some(place) = (length.value_mut)(&mut mean) {
-                *place = sum.unwrap_or_default() / count;
+                *place = sum.unwrap_or_default() / all.len() as f64;
             }
             if sum.is_none() {
                 (mean.true_inner_px, mean.missed_inner_px) = (None, None);

@@ -11,6 +11,7 @@
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
 mod chart;
+mod coherence_table;
 mod extraction_chart;
 mod measure;
 mod page;

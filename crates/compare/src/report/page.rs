@@ -1,9 +1,11 @@
 //! The page: template and chart script embedded, everything that a user named escaped.
 
 use super::chart::{self, COLORS};
+use super::coherence_table;
 use super::extraction_chart;
 use super::summary::{CellSummary, MeshSummary, baseline, summarise};
 use super::where_it_errs;
+use crate::coherence::metrics::COHERENCE;
 use crate::metrics::PictureKind;
 use crate::metrics::table::{Better, MetricSpec};
 use crate::record::Cell;
@@ -41,6 +43,7 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         left_out => comparison.left_out.iter().map(ToString::to_string).collect::<Vec<_>>(),
         extraction => extraction_section(extractions),
         metrics => kinds.flat_map(PictureKind::metrics).map(metric_row).collect::<Vec<_>>(),
+        coherence_columns => COHERENCE.map(|spec| context! { title => spec.title, unit => spec.unit, summary => spec.summary }),
         chart_script => Value::from_safe_string(chart::script()),
     })
 }
@@ -93,6 +96,7 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
         faces => grouped(summary.mesh.faces),
         visible_length => format!("{:.0}", summary.visible_length_px),
         kinds => PictureKind::ALL.into_iter().filter_map(section).collect::<Vec<_>>(),
+        coherence => coherence_table::rows(summary, color),
         costs => summary.cells.iter().map(|cell| cost_row(cell, color(cell))).collect::<Vec<_>>(),
     }
 }
@@ -245,7 +249,7 @@ mod tests {
     use crate::metrics::METRICS;
     use crate::options::OptionSetting;
     use crate::record::EdgeScore;
-    use crate::record::tests::{cell, with_option};
+    use crate::record::tests::{cell, with_coherence, with_option};
     use crate::scaling::rows_of_cells;
 
     fn rendered(comparison: &Comparison) -> String {
@@ -342,6 +346,16 @@ mod tests {
     fn where_lines_err_stands_beside_what_they_miss() {
         let page = rendered(&comparison());
         assert!(page.contains("Lines: where they err") && page.contains("<td>Misses nothing.</td>"));
+    }
+
+    #[test]
+    fn coherence_is_shown_where_it_was_measured() {
+        let mut comparison = comparison();
+        assert!(!rendered(&comparison).contains("Coherence"));
+        comparison.cells[0] = with_coherence(comparison.cells[0].clone(), 0.25);
+        let page = rendered(&comparison);
+        assert!(page.contains("<h3>Coherence</h3>") && page.contains("<td>25.00</td>"));
+        assert!(page.contains("cannot follow a mesh that moves"));
     }
 
     #[test]

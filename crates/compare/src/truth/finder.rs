@@ -10,7 +10,7 @@ use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
 use silhouette_core::{Cancelled, FaceFacings, PreparedMesh, Progress, SilhouetteEdges, Topology};
 use silhouette_gpu::Pen;
-use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines};
+use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines, Outline};
 use std::sync::Arc;
 
 /// Why there is no truth.
@@ -125,7 +125,7 @@ impl TruthFinder {
             chains.extend(unless_crowded(self.lines.find(&truth.camera, &options, &Quiet(progress)))?);
         }
         let chains: Vec<_> = chains.into_iter().map(|lines| lines.chains).collect();
-        let outline = unless_crowded(self.lines.outline(&truth.camera, &Quiet(progress)))?;
+        let outline = self.outline(&truth.camera, progress)?;
         Ok(ViewFacts::new(&self.seen(&truth.camera), &truth.lines, outline.as_ref(), &chains, reach_px))
     }
 
@@ -141,6 +141,14 @@ impl TruthFinder {
     pub fn find(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Truth, TruthError> {
         let (edges, visible) = self.lines_down_to(0, camera, progress)?;
         Ok(Truth { camera: *camera, edges, lines: TrueLines::of(&visible), visible })
+    }
+
+    /// The outline of a view, unless that is too crowded. O(F + S log S).
+    ///
+    /// # Errors
+    /// [`TruthError`], cancelled only.
+    pub fn outline(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Option<Outline>, TruthError> {
+        Ok(unless_crowded(self.lines.outline(camera, &Quiet(progress)))?)
     }
 
     /// All silhouette edges of a view as if nothing hid them. O(as [`find`](Self::find)).

@@ -1,11 +1,17 @@
 //! [`MeshFacts`]: what is known of a mesh's edges and faces before any view that makes methods err.
 
 use silhouette_core::face_normal::face_normal;
+use silhouette_core::glam::Vec3;
 use silhouette_core::inside_out::inside_out_faces;
 use silhouette_core::{DisjointSets, EdgeId, FaceId, Topology, TriangleMesh};
+use std::f64::consts::PI;
 
 /// Least dihedral angle of a crease, in degrees: what viewers of CAD models draw by default.
 pub const CREASE_DEG: f64 = 30.0;
+
+/// A part is nearly closed if a disc that is as long around as its boundary has less than this share of its area. A cup as wide as
+/// high is (0.2), half a ball is not (0.5).
+const NEARLY_CLOSED: f64 = 0.25;
 
 /// Which kind of line an edge is when it is drawn. Each edge has one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,13 +51,13 @@ pub struct MeshFacts {
 }
 
 impl MeshFacts {
-    /// Collects them. A part is what consistently wound pairs of faces join; whether it is wound inwards is certain where it
-    /// is closed and a guess by its signed volume where it is open. O(E α(F)).
+    /// Collects them. A part is what consistently wound pairs of faces join. It is wound inwards where its signed volume is
+    /// negative and it is closed, or nearly: a disc as long around as its boundary has less than [`NEARLY_CLOSED`] of its area.
+    /// Which side of a sheet is its outer one nobody can say. O(E α(F)).
     pub fn new(mesh: &TriangleMesh, topology: &Topology) -> Self {
-        let is_inward = inside_out_faces(mesh, topology);
         let edges = || (0..topology.edge_count()).map(EdgeId::from_usize);
         let mut parts = DisjointSets::new(mesh.face_count());
-        let (mut kinds, mut is_wrongly_wound) = (Vec::new(), Vec::new());
+        let mut kinds = Vec::with_capacity(topology.edge_count());
         let least_cosine = CREASE_DEG.to_radians().cos();
         for edge in edges() {
             let pair = topology.consistent_pair(mesh, edge);
@@ -64,14 +70,28 @@ impl MeshFacts {
                 (_, Some([Some(one), Some(other)])) if one.dot(other) <= least_cosine => EdgeKind::Crease,
                 _ => EdgeKind::Silhouette,
             });
-            let is_turned = pair.is_none() && topology.faces(edge).len() == 2;
-            is_wrongly_wound.push(is_turned || topology.faces(edge).any(|face| is_inward[face.index()]));
         }
-        let mut has_boundary = vec![false; mesh.face_count()];
-        for edge in edges().filter(|edge| kinds[edge.index()] == EdgeKind::Boundary) {
-            topology.faces(edge).for_each(|face| has_boundary[parts.find(face.get()) as usize] = true);
+        let part_of: Vec<usize> = (0..mesh.face_count() as u32).map(|face| parts.find(face) as usize).collect();
+        let (mut area, mut boundary) = (vec![0.0; mesh.face_count()], vec![0.0; mesh.face_count()]);
+        for (face, &part) in part_of.iter().enumerate() {
+            let [a, b, c] = mesh.corners(FaceId::from_usize(face)).map(Vec3::as_dvec3);
+            area[part] += 0.5 * (b - a).cross(c - a).length();
         }
-        let is_open = (0..mesh.face_count() as u32).map(|face| has_boundary[parts.find(face) as usize]).collect();
+        let is_boundary = |edge: &EdgeId| kinds[edge.index()] == EdgeKind::Boundary;
+        for edge in edges().filter(is_boundary) {
+            let [a, b] = topology.end_points(edge).map(|vertex| mesh.positions()[vertex.index()].as_dvec3());
+            topology.faces(edge).for_each(|face| boundary[part_of[face.index()]] += a.distance(b));
+        }
+        let is_open: Vec<bool> = part_of.iter().map(|&part| boundary[part] > 0.0).collect();
+        let is_nearly_closed = |part: usize| boundary[part] * boundary[part] <= NEARLY_CLOSED * 4.0 * PI * area[part];
+        let inside_out = inside_out_faces(mesh, topology);
+        let is_inward: Vec<bool> =
+            part_of.iter().zip(inside_out).map(|(&part, inside_out)| inside_out && is_nearly_closed(part)).collect();
+        let is_wrongly_wound = |edge: EdgeId| {
+            let is_turned = topology.faces(edge).len() == 2 && topology.consistent_pair(mesh, edge).is_none();
+            is_turned || topology.faces(edge).any(|face| is_inward[face.index()])
+        };
+        let is_wrongly_wound = edges().map(is_wrongly_wound).collect();
         Self { kinds, is_wrongly_wound, is_inward, is_open }
     }
 
@@ -148,6 +168,32 @@ mod tests {
         assert_eq!(of_open.of_face(FaceId::new(0), false), Circumstance::Unexplained);
         let boundary = (0..topology.edge_count()).map(EdgeId::from_usize).find(|&edge| topology.faces(edge).len() == 1);
         assert_eq!(of_open.of_edge(boundary.unwrap(), || true), Circumstance::OpenBoundary);
+    }
+
+    /// A ball with a hole is as good as closed; which side of a sheet is outside nobody can say.
+    #[test]
+    fn only_what_is_nearly_closed_is_wound_inwards() {
+        let ball = shapes::by_name("icosphere:3").unwrap();
+        let open = |kept: usize| {
+            let mut faces: Vec<[u32; 3]> = ball.triangles().to_vec();
+            faces.sort_by(|a, b| {
+                let height =
+                    |face: &[u32; 3]| face.iter().map(|&corner| ball.positions()[corner as usize].y).sum::<f32>();
+                height(a).total_cmp(&height(b))
+            });
+            faces.truncate(kept);
+            let mesh = TriangleMesh::new(ball.positions().to_vec(), faces).unwrap();
+            turned(&mesh, &vec![true; mesh.face_count()])
+        };
+        let count = ball.face_count();
+        for (kept, circumstance) in [
+            (count - 20, Circumstance::InwardWinding),
+            (count / 2, Circumstance::OpenBoundary),
+            (count / 10, Circumstance::OpenBoundary),
+        ] {
+            let (_, facts) = facts(&open(kept));
+            assert_eq!(facts.of_face(FaceId::new(0), true), circumstance, "{kept} of {count}");
+        }
     }
 
     #[test]

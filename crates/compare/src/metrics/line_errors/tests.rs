@@ -213,13 +213,13 @@ fn views_are_averaged_and_what_one_lacks_is_lacking() {
     let known =
         LineErrors { true_crease_px: 2.0, true_inner_px: Some(4.0), missed_inner_px: Some(1.0), ..Default::default() };
     let unknown = LineErrors { true_crease_px: 4.0, ..LineErrors::default() };
-    let mean = LineErrors::mean([known, known].iter()).unwrap();
+    let mean = LineErrors::mean(&[known, known]).unwrap();
     assert_eq!((mean, mean.true_inner_px), (known, Some(4.0)));
     for pair in [[known, unknown], [unknown, known]] {
-        let mean = LineErrors::mean(pair.iter()).unwrap();
+        let mean = LineErrors::mean(&pair).unwrap();
         assert!((mean.true_crease_px - 3.0).abs() < 1e-12 && mean.true_inner_px.is_none(), "{mean:?}");
     }
-    assert_eq!(LineErrors::mean([].iter()), None);
+    assert_eq!(LineErrors::mean(&[]), None);
 }
 
 #[test]
