@@ -1,13 +1,14 @@
 //! Frames of a prepared method, whatever it yields: edges are drawn as strokes, other methods draw themselves.
 
+mod timed;
+
 use crate::cost::{ExtractionSample, FrameSample};
 use crate::metrics::PictureKind;
 use crate::registry::{Capabilities, Entry, Prepared};
-use silhouette_core::method::{ExtractionStats, OptionValues, PrepareError};
+use silhouette_core::glam::Vec3;
+use silhouette_core::method::{ExtractsMovingEdges, OptionValues, PrepareError};
 use silhouette_core::view::Camera;
-use silhouette_core::{
-    Cancelled, ExtractsEdges, NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology, Viewpoint,
-};
+use silhouette_core::{Cancelled, ExtractsEdges, NoProgress, PreparedMesh, Progress, SilhouetteEdges, Topology};
 use silhouette_gpu::{
     EdgeRenderer, FrameRenderer, FrameView, FrameViewError, MeshBuffers, MeshTooLarge, Pen, PenPlacement,
     RendererError, StrokePipelines, StrokeRenderer, StrokeStyle, TargetFormats,
@@ -15,6 +16,7 @@ use silhouette_gpu::{
 use silhouette_render::{DEFAULT_FORMATS, Gpu, GpuError, Image, Load, Target};
 use std::sync::Arc;
 use std::time::Instant;
+use timed::Timed;
 
 /// Why a frame cannot be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -92,7 +94,8 @@ pub struct Drawing {
 }
 
 enum Source {
-    Edges(Box<EdgeRenderer<Timed>>),
+    Edges(Box<EdgeRenderer<Timed<dyn ExtractsEdges>>>),
+    MovingEdges(Box<EdgeRenderer<Timed<dyn ExtractsMovingEdges>>>),
     Own { renderer: Box<dyn FrameRenderer>, placement: PenPlacement },
 }
 
@@ -100,23 +103,9 @@ impl Source {
     fn renderer(&mut self) -> &mut dyn FrameRenderer {
         match self {
             Self::Edges(renderer) => &mut **renderer,
+            Self::MovingEdges(renderer) => &mut **renderer,
             Self::Own { renderer, .. } => &mut **renderer,
         }
-    }
-}
-
-/// A method whose extractions are timed.
-struct Timed {
-    method: Box<dyn ExtractsEdges>,
-    extract_ms: f64,
-}
-
-impl ExtractsEdges for Timed {
-    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
-        let start = Instant::now();
-        let stats = self.method.extract_edges(viewpoint, out);
-        self.extract_ms = start.elapsed().as_secs_f64() * 1000.0;
-        stats
     }
 }
 
@@ -145,15 +134,22 @@ impl Drawing {
         let source = match own.transpose().map_err(DrawError::Renderer)? {
             Some((renderer, placement)) => Source::Own { renderer, placement },
             None if kind == PictureKind::Lines => {
-                let method = prepared.into_edges().ok_or(DrawError::Kind(kind))?;
                 let pen = Pen { width_px: style.pen_width_px, placement: PenPlacement::Centred };
                 let strokes = StrokeStyle { pen, ..StrokeStyle::default() };
                 let pipelines = Arc::new(StrokePipelines::new(gpu.device(), formats, strokes));
                 let strokes = StrokeRenderer::new(gpu.device(), &pipelines, &buffers);
                 let topology = mesh.artefact::<Topology>("drawing of edges", &NoProgress)?;
-                let method = Timed { method, extract_ms: 0.0 };
-                let renderer = EdgeRenderer::new(method, Arc::clone(mesh.mesh()), topology, strokes);
-                Source::Edges(Box::new(renderer))
+                let mesh = Arc::clone(mesh.mesh());
+                match prepared.into_moving_edges() {
+                    Ok(method) => {
+                        let renderer = EdgeRenderer::new(Timed::new(method), mesh, topology, strokes);
+                        Source::MovingEdges(Box::new(renderer))
+                    }
+                    Err(prepared) => {
+                        let method = prepared.into_edges().ok_or(DrawError::Kind(kind))?;
+                        Source::Edges(Box::new(EdgeRenderer::new(Timed::new(method), mesh, topology, strokes)))
+                    }
+                }
             }
             None => return Err(DrawError::Kind(kind)),
         };
@@ -169,7 +165,7 @@ impl Drawing {
     /// The pen that lines are drawn with: for a method with a pen of its own, its placement and the style's width.
     pub fn pen(&self) -> Pen {
         let placement = match &self.source {
-            Source::Edges(_) => PenPlacement::Centred,
+            Source::Edges(_) | Source::MovingEdges(_) => PenPlacement::Centred,
             Source::Own { placement, .. } => *placement,
         };
         Pen { width_px: self.style.pen_width_px, placement }
@@ -196,7 +192,10 @@ impl Drawing {
         )?;
         let extraction = match &self.source {
             Source::Edges(renderer) => {
-                Some(ExtractionSample { extract_ms: renderer.extractor().extract_ms, stats: renderer.stats() })
+                Some(ExtractionSample { extract_ms: renderer.extractor().extract_ms(), stats: renderer.stats() })
+            }
+            Source::MovingEdges(renderer) => {
+                Some(ExtractionSample { extract_ms: renderer.extractor().extract_ms(), stats: renderer.stats() })
             }
             Source::Own { .. } => None,
         };
@@ -214,7 +213,7 @@ impl Drawing {
     /// What the user should know of the frame drawn last; see [`FrameRenderer::warning`].
     pub fn warning(&self) -> Option<String> {
         match &self.source {
-            Source::Edges(_) => None,
+            Source::Edges(_) | Source::MovingEdges(_) => None,
             Source::Own { renderer, .. } => renderer.warning(),
         }
     }
@@ -223,7 +222,19 @@ impl Drawing {
     pub fn edges(&self) -> Option<&SilhouetteEdges> {
         match &self.source {
             Source::Edges(renderer) => Some(renderer.edges()),
+            Source::MovingEdges(renderer) => Some(renderer.edges()),
             Source::Own { .. } => None,
+        }
+    }
+
+    /// Moves the vertices to `positions`, one per vertex, for the frames to come. `false`, and nothing moves, where the method
+    /// extracts edges of a mesh at rest only, or positions do not fit. A method that draws by itself may go on to draw the mesh
+    /// at rest; its [warning](Self::warning) then says so.
+    pub fn move_to(&mut self, gpu: &Gpu, positions: &[Vec3]) -> bool {
+        match &mut self.source {
+            Source::Edges(_) => false,
+            Source::MovingEdges(renderer) => renderer.set_positions(gpu.queue(), positions).is_ok(),
+            Source::Own { .. } => self.mesh.set_positions(gpu.queue(), positions).is_ok(),
         }
     }
 }

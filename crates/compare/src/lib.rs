@@ -7,6 +7,7 @@
 //! 3. [`camera_path`]: views around a mesh.
 //! 4. [`truth`]: the true visible lines of a view, and its true filled picture.
 //! 5. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames.
+//!    [`coherence`]: what a sequence of pictures does that the truth does not.
 //! 6. [`runner`]: methods with their options x meshes, along one path; yields [cells](record::Cell). [`machine`]: where they
 //!    were made.
 //! 7. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
@@ -17,6 +18,7 @@
 //! [`result_directory`]: how directories of results are written.
 
 pub mod camera_path;
+pub mod coherence;
 pub mod cost;
 pub mod drawing;
 pub mod machine;

@@ -52,11 +52,11 @@ impl Registry {
     pub fn builtin() -> Self {
         let methods = Self::default()
             .with(Entry::of::<BruteForce>().loops())
-            .with(Entry::of::<BruteForceSimd>().loops())
+            .with(Entry::of::<BruteForceSimd>().loops().moving())
             .with(Entry::of::<ClusterCones>().loops())
             .with(Entry::of::<Randomized>().edges())
-            .with(Entry::of::<Tracking>().loops())
-            .with(Entry::of::<ExactTracking>().loops())
+            .with(Entry::of::<Tracking>().loops().moving())
+            .with(Entry::of::<ExactTracking>().loops().moving())
             .with(Entry::of::<ImagePrecision>().lines())
             .with(Entry::of::<EdgeMesh>().edges().lines())
             .with(Entry::of::<FineMesh>().fill())
@@ -153,12 +153,14 @@ mod tests {
             let mut prepared = entry.prepare(&mesh, &options, &NoProgress).unwrap();
             let answered = Capabilities {
                 edges: prepared.edges().is_some(),
+                moving_edges: false,
                 loops: prepared.loops().is_some(),
                 curves: prepared.curves().is_some(),
                 lines: prepared.lines().is_some(),
                 fill: prepared.fill().is_some(),
                 triangles: prepared.triangles().is_some(),
             };
+            let answered = Capabilities { moving_edges: prepared.into_moving_edges().is_ok(), ..answered };
             assert_eq!(answered, entry.capabilities(), "{}", entry.info().name);
             assert_ne!(answered, Capabilities::default(), "{} can do nothing", entry.info().name);
         }

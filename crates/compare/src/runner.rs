@@ -6,9 +6,12 @@
 //! 2. for each method with its options, on a mesh that nothing was derived from yet: preparation, timed;
 //! 3. the [path followed](follow): warm-up frames, then timed frames; what a scored frame shows is kept right after it was
 //!    drawn;
-//! 4. pictures kept against the truth of their cameras, edges found against edges to be found.
+//! 4. [motions](crate::coherence) followed for coherence, where the scene asks for them, outside of the clock;
+//! 5. pictures kept against the truth of their cameras, edges found against edges to be found.
 
 mod bench;
+pub mod coherence_truth;
+mod coherent;
 pub mod comparison;
 pub mod error;
 pub mod follow;

@@ -42,10 +42,10 @@ pub fn separation(drawn: &Ink, truth: &Ink) -> Separation {
 }
 
 /// A straight piece of a boundary, no longer than the diagonal of a pixel.
-type Segment = [DVec2; 2];
+pub(crate) type Segment = [DVec2; 2];
 
 /// The boundary of a shape, in pixel coordinates. O(pixels).
-fn boundary(coverage: &Ink) -> Vec<Segment> {
+pub(crate) fn boundary(coverage: &Ink) -> Vec<Segment> {
     let [width, height] = [coverage.width(), coverage.height()].map(i64::from);
     let mut segments = Vec::new();
     for y in 0..height - 1 {

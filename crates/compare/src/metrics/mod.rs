@@ -9,6 +9,7 @@
 //! 4. [`width`]: how wide lines are drawn, and how evenly.
 //! 5. [`gaps`]: how often a line is interrupted.
 //! 6. [`corners`]: whether lines join where they turn.
+//! 7. [`line_errors`]: where pictures err, by kind of line and by what is known to make methods err.
 //!
 //! Filled pictures ([`fill`]), with coverage as their alpha channel ([`filled_picture`]):
 //!
@@ -16,6 +17,8 @@
 //! 2. [`boundary`]: how far their boundaries lie apart.
 //! 3. [`holes`]: pixels left bare inside.
 //! 4. [`color`]: how much colours differ.
+//!
+//! [`point_grid`]: the nearest of many places.
 //!
 //! [`METRICS`] is the one table of them: results, report and documentation are written from it.
 
@@ -29,7 +32,9 @@ pub mod filled_picture;
 pub mod gaps;
 pub mod holes;
 pub mod ink;
+pub mod line_errors;
 pub mod lines;
+pub mod point_grid;
 #[cfg(test)]
 mod sample_fill;
 #[cfg(test)]
@@ -42,5 +47,6 @@ pub mod width;
 pub use fill::{FillMetrics, measure_fill};
 pub use filled_picture::FilledPicture;
 pub use ink::Ink;
+pub use line_errors::LineErrors;
 pub use lines::{LineMetrics, TruePen, measure};
 pub use table::{Better, METRICS, MetricSpec, PictureKind, PictureMetrics, find};

@@ -1,10 +1,15 @@
 //! Cells as a flat table: one row per scored view.
 //!
 //! What belongs to the whole run is not in it. Each option is a column, named `METHOD.OPTION` as on the command line and
-//! empty in rows of other methods. Metrics of kinds of picture that no cell has are left out.
+//! empty in rows of other methods. Metrics of kinds of picture that no cell has are left out. Last come the [lengths](LENGTHS)
+//! of where pictures of lines err, and [coherence](COHERENCE) along each motion, named `MOTION_METRIC` and the same in all rows of a
+//! cell; it is empty where the mesh moved and the method cannot follow.
 
 use super::{Cell, View};
+use crate::coherence::Motion;
+use crate::coherence::metrics::{COHERENCE, CoherenceSpec};
 use crate::metrics::PictureKind;
+use crate::metrics::line_errors::LENGTHS;
 use crate::metrics::table::MetricSpec;
 
 /// A table.
@@ -72,9 +77,19 @@ impl Table {
         let metrics: Vec<&MetricSpec> =
             PictureKind::ALL.into_iter().filter(is_there).flat_map(PictureKind::metrics).collect();
 
+        let lengths = if cells.iter().any(|cell| cell.picture == PictureKind::Lines) { LENGTHS } else { &[] };
+
+        let is_followed =
+            |motion: &Motion| cells.iter().any(|cell| cell.coherence.iter().any(|record| record.motion == *motion));
+        let of_motion = |motion: Motion| COHERENCE.iter().map(move |spec| (motion, spec));
+        let coherence: Vec<(Motion, &CoherenceSpec)> =
+            Motion::ALL.into_iter().filter(is_followed).flat_map(of_motion).collect();
+
         let names = COLUMNS.iter().map(|(name, _)| (*name).to_owned());
         let option_names = options.iter().map(|(method, option)| format!("{method}.{option}"));
         let metric_names = metrics.iter().map(|metric| metric.name.to_owned());
+        let coherence_names = coherence.iter().map(|(motion, spec)| format!("{}_{}", motion.name(), spec.name));
+        let length_names = lengths.iter().map(|length| length.name.to_owned());
         let row = |cell: &Cell, view: &View| {
             let option = |&(method, name): &(&str, &str)| {
                 let value = cell.options.0.get(name).filter(|_| cell.method == method);
@@ -82,10 +97,16 @@ impl Table {
             };
             let fixed = COLUMNS.iter().map(|(_, value)| value(cell, view));
             let measured = metrics.iter().map(|metric| optional((metric.value)(&view.metrics)));
-            fixed.chain(options.iter().map(option)).chain(measured).collect()
+            let errors = view.errors.as_ref();
+            let lengths = lengths.iter().map(|length| optional(errors.and_then(length.value)));
+            let coherent = coherence.iter().map(|(motion, spec)| {
+                let record = cell.coherence.iter().find(|record| record.motion == *motion);
+                optional(record.and_then(|record| record.metrics.as_ref()).and_then(spec.value))
+            });
+            fixed.chain(options.iter().map(option)).chain(measured).chain(lengths).chain(coherent).collect()
         };
         Self {
-            columns: names.chain(option_names).chain(metric_names).collect(),
+            columns: names.chain(option_names).chain(metric_names).chain(length_names).chain(coherence_names).collect(),
             rows: cells.iter().flat_map(|cell| cell.views.iter().map(move |view| row(cell, view))).collect(),
         }
     }
@@ -93,7 +114,7 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{cell, fill_cell, view, with_option};
+    use super::super::tests::{cell, fill_cell, view, with_coherence, with_option};
     use super::*;
     use crate::options::OptionSetting;
     use std::collections::BTreeSet;
@@ -116,6 +137,21 @@ mod tests {
         assert_eq!(column("xor_share"), ["", "", "", "0.125"]);
         assert_eq!(column("frame"), ["5", "15", "5", "5"]);
         assert_eq!(column("gpu_median_ms"), [""; 4]);
+        assert_eq!(column("true_crease_px"), ["20", "20", "20", ""]);
+        assert_eq!(column("true_inner_px"), [""; 4], "where the outline is not known");
+    }
+
+    #[test]
+    fn each_motion_and_number_of_coherence_is_a_column() {
+        let coherent = with_coherence(cell("m", "tracking", 2.0, 0.5), 0.25);
+        let table = Table::of(&[coherent, cell("m", "brute-force", 2.0, 0.5)]);
+        let column = |name: &str| {
+            let at = table.columns.iter().position(|column| column == name).unwrap();
+            table.rows.iter().map(|row| row[at].as_str()).collect::<Vec<_>>()
+        };
+        assert_eq!((column("orbit_flicker"), column("wave_flicker")), (vec!["0.25", ""], vec![""; 2]));
+        assert_eq!(column("orbit_loops_lost"), ["0.5", ""]);
+        assert!(!table.columns.iter().any(|column| column.starts_with("dolly")));
     }
 
     #[test]

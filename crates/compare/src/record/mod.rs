@@ -5,7 +5,9 @@
 pub mod flat;
 pub mod label;
 
+use crate::coherence::{CoherenceMetrics, Motion};
 use crate::cost::{FrameCost, PrepareCost};
+use crate::metrics::LineErrors;
 use crate::metrics::table::{PictureKind, PictureMetrics};
 use crate::options::OptionSettings;
 use serde::{Deserialize, Serialize};
@@ -30,6 +32,20 @@ pub struct Cell {
     pub frame: FrameCost,
     /// Its scored frames in the order of the path: at least one.
     pub views: Vec<View>,
+    /// Coherence along the scene's motions; none where the scene asks for none.
+    #[serde(default)]
+    pub coherence: Vec<CoherenceRecord>,
+}
+
+/// Coherence along a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CoherenceRecord {
+    /// What moved.
+    pub motion: Motion,
+    /// Number of frames.
+    pub frames: u32,
+    /// The numbers; `None` where the mesh moved and the method cannot follow it.
+    pub metrics: Option<CoherenceMetrics>,
 }
 
 /// A scored frame: one of those that were timed.
@@ -49,6 +65,9 @@ pub struct View {
     pub edges: Option<EdgeScore>,
     /// Quality of the picture.
     pub metrics: PictureMetrics,
+    /// Where it errs, for pictures of lines.
+    #[serde(default)]
+    pub errors: Option<LineErrors>,
 }
 
 /// A mesh, as far as results need it.
@@ -149,6 +168,11 @@ impl Cell {
         scores().next().map(|_| share)
     }
 
+    /// Where its pictures of lines err, averaged over the views, each counting the same.
+    pub fn mean_errors(&self) -> Option<LineErrors> {
+        LineErrors::mean(&self.views.iter().filter_map(|view| view.errors).collect::<Vec<_>>())
+    }
+
     /// The metrics averaged over the views, each counting the same; `None` where there is no view.
     pub fn mean_metrics(&self) -> Option<PictureMetrics> {
         PictureMetrics::mean(&self.views.iter().map(|view| view.metrics).collect::<Vec<_>>())
@@ -182,6 +206,7 @@ pub(crate) mod tests {
                 counters: None,
             },
             views: vec![view(5, chamfer_px)],
+            coherence: Vec::new(),
         }
     }
 
@@ -201,6 +226,7 @@ pub(crate) mod tests {
             truth: TruthRecord { silhouette_edges: 4, visible_length_px: 20.0, area_px: None },
             edges: Some(EdgeScore { found: 4, precision: 1.0, recall: 1.0 }),
             metrics: PictureMetrics::Lines(LineMetrics { chamfer_px, width_mean_px: 2.0, ..LineMetrics::default() }),
+            errors: Some(LineErrors { true_crease_px: 20.0, true_unexplained_px: 20.0, ..LineErrors::default() }),
         }
     }
 
@@ -210,10 +236,17 @@ pub(crate) mod tests {
         filled.picture = PictureKind::Fill;
         filled.pen = None;
         for view in &mut filled.views {
-            view.edges = None;
+            (view.edges, view.errors) = (None, None);
             view.metrics = PictureMetrics::Fill(FillMetrics { xor_share, ..FillMetrics::default() });
         }
         filled
+    }
+
+    /// The same cell with coherence along an orbit, and a wave that it cannot follow.
+    pub(crate) fn with_coherence(cell: Cell, flicker: f64) -> Cell {
+        let metrics = CoherenceMetrics { flicker, loops_lost: Some(0.5), ..CoherenceMetrics::default() };
+        let record = |motion, metrics| CoherenceRecord { motion, frames: 24, metrics };
+        Cell { coherence: vec![record(Motion::Orbit, Some(metrics)), record(Motion::Wave, None)], ..cell }
     }
 
     pub(crate) fn with_option(cell: Cell, name: &str, value: OptionSetting) -> Cell {
@@ -246,7 +279,8 @@ pub(crate) mod tests {
     fn cells_survive_json() {
         let level = OptionSetting::Number(0.25);
         let lines = with_option(cell("a \"quoted\", mesh\n", "m", 2.0, 0.5), "level", level);
-        for cell in [lines, fill_cell("a", "m", 2.0, 0.5)] {
+        let coherent = with_coherence(lines.clone(), 0.25);
+        for cell in [lines, coherent, fill_cell("a", "m", 2.0, 0.5)] {
             let line = serde_json::to_string(&cell).unwrap();
             assert!(!line.contains('\n'));
             assert_eq!(serde_json::from_str::<Cell>(&line).unwrap(), cell);

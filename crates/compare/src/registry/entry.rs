@@ -1,6 +1,9 @@
 //! [`Entry`]: a method with what it can do, its type erased.
 
-use silhouette_core::method::{ExtractionStats, ExtractsCurves, OptionValues, PrepareError};
+use silhouette_core::glam::Vec3;
+use silhouette_core::method::{
+    ExtractionStats, ExtractsCurves, ExtractsMovingEdges, OptionValues, PositionsError, PrepareError,
+};
 use silhouette_core::{ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOptions, PreparedMesh, Progress};
 use silhouette_core::{SilhouetteEdges, Viewpoint};
 use silhouette_gpu::{DrawsLines, FillsImage, FrameRenderer, MeshBuffers, PenPlacement, RendererError, TargetFormats};
@@ -14,6 +17,8 @@ use std::sync::Arc;
 pub struct Capabilities {
     /// Extracts silhouette edges.
     pub edges: bool,
+    /// Extracts silhouette edges of a mesh whose vertices move.
+    pub moving_edges: bool,
     /// Extracts loops of silhouette half-edges.
     pub loops: bool,
     /// Extracts smooth curves.
@@ -40,7 +45,15 @@ type PrepareFn =
 impl Entry {
     /// Begins an entry of the method `M`, which can do nothing yet.
     pub fn of<M: Method>() -> EntryBuilder<M> {
-        EntryBuilder(Views { edges: None, loops: None, curves: None, lines: None, fill: None, triangles: None })
+        EntryBuilder(Views {
+            edges: None,
+            moving_edges: None,
+            loops: None,
+            curves: None,
+            lines: None,
+            fill: None,
+            triangles: None,
+        })
     }
 
     /// What the method says of itself.
@@ -78,6 +91,7 @@ type MakeRemesher<M> = fn(&M) -> Box<dyn Remesher>;
 /// How a value of type `M` is seen as each of its capabilities.
 struct Views<M> {
     edges: Option<fn(&mut M) -> &mut dyn ExtractsEdges>,
+    moving_edges: Option<fn(&mut M) -> &mut dyn ExtractsMovingEdges>,
     loops: Option<fn(&mut M) -> &mut dyn ExtractsLoops>,
     curves: Option<fn(&mut M) -> &mut dyn ExtractsCurves>,
     lines: Option<fn(&M) -> &dyn LineMethod>,
@@ -104,6 +118,15 @@ impl<M: Method> EntryBuilder<M> {
         M: ExtractsEdges,
     {
         Self(Views { edges: Some(|method| method), ..self.0 })
+    }
+
+    /// Adds edges of a mesh whose vertices move.
+    #[must_use]
+    pub fn moving(self) -> Self
+    where
+        M: ExtractsMovingEdges,
+    {
+        Self(Views { edges: Some(|method| method), moving_edges: Some(|method| method), ..self.0 })
     }
 
     /// Adds loops, and the edges that they consist of.
@@ -156,6 +179,7 @@ impl<M: Method> From<EntryBuilder<M>> for Entry {
     fn from(EntryBuilder(views): EntryBuilder<M>) -> Self {
         let capabilities = Capabilities {
             edges: views.edges.is_some(),
+            moving_edges: views.moving_edges.is_some(),
             loops: views.loops.is_some(),
             curves: views.curves.is_some(),
             lines: views.lines.is_some(),
@@ -187,6 +211,14 @@ impl Prepared {
     /// The method as an extractor of edges that outlives this value.
     pub fn into_edges(self) -> Option<Box<dyn ExtractsEdges>> {
         self.0.into_edges()
+    }
+
+    /// The method as an extractor of edges of a mesh that moves, which outlives this value.
+    ///
+    /// # Errors
+    /// The value itself, where the method extracts no such edges.
+    pub fn into_moving_edges(self) -> Result<Box<dyn ExtractsMovingEdges>, Self> {
+        self.0.into_moving_edges().map_err(Self)
     }
 
     /// The method as one that extracts loops.
@@ -279,6 +311,7 @@ trait Answers: Send {
     fn bytes(&self) -> usize;
     fn edges(&mut self) -> Option<&mut dyn ExtractsEdges>;
     fn into_edges(self: Box<Self>) -> Option<Box<dyn ExtractsEdges>>;
+    fn into_moving_edges(self: Box<Self>) -> Result<Box<dyn ExtractsMovingEdges>, Box<dyn Answers>>;
     fn loops(&mut self) -> Option<&mut dyn ExtractsLoops>;
     fn curves(&mut self) -> Option<&mut dyn ExtractsCurves>;
     fn lines(&self) -> Option<&dyn LineMethod>;
@@ -302,6 +335,12 @@ impl<M: Method> Answers for Seen<M> {
     fn into_edges(self: Box<Self>) -> Option<Box<dyn ExtractsEdges>> {
         let view = self.views.edges?;
         Some(Box::new(Extractor { method: self.method, view }))
+    }
+    fn into_moving_edges(self: Box<Self>) -> Result<Box<dyn ExtractsMovingEdges>, Box<dyn Answers>> {
+        match self.views.moving_edges {
+            Some(view) => Ok(Box::new(MovingExtractor { method: self.method, view })),
+            None => Err(self),
+        }
     }
     fn loops(&mut self) -> Option<&mut dyn ExtractsLoops> {
         Some(self.views.loops?(&mut self.method))
@@ -329,5 +368,23 @@ struct Extractor<M> {
 impl<M: Send> ExtractsEdges for Extractor<M> {
     fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
         (self.view)(&mut self.method).extract_edges(viewpoint, out)
+    }
+}
+
+/// A method seen for good as an extractor of edges of a mesh that moves.
+struct MovingExtractor<M> {
+    method: M,
+    view: fn(&mut M) -> &mut dyn ExtractsMovingEdges,
+}
+
+impl<M: Send> ExtractsEdges for MovingExtractor<M> {
+    fn extract_edges(&mut self, viewpoint: &Viewpoint, out: &mut SilhouetteEdges) -> ExtractionStats {
+        (self.view)(&mut self.method).extract_edges(viewpoint, out)
+    }
+}
+
+impl<M: Send> ExtractsMovingEdges for MovingExtractor<M> {
+    fn update_positions(&mut self, positions: &[Vec3]) -> Result<(), PositionsError> {
+        (self.view)(&mut self.method).update_positions(positions)
     }
 }

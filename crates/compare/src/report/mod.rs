@@ -11,12 +11,15 @@
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
 mod chart;
+mod coherence_table;
 mod extraction_chart;
 mod measure;
 mod page;
 mod summary;
+mod where_it_errs;
 
 pub use chart::COLORS;
+pub use where_it_errs::sentence;
 
 use crate::machine::RunDescription;
 use crate::record::flat::Table;

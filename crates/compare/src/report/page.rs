@@ -1,8 +1,11 @@
 //! The page: template and chart script embedded, everything that a user named escaped.
 
 use super::chart::{self, COLORS};
+use super::coherence_table;
 use super::extraction_chart;
 use super::summary::{CellSummary, MeshSummary, baseline, summarise};
+use super::where_it_errs;
+use crate::coherence::metrics::COHERENCE;
 use crate::metrics::PictureKind;
 use crate::metrics::table::{Better, MetricSpec};
 use crate::record::Cell;
@@ -40,6 +43,7 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         left_out => comparison.left_out.iter().map(ToString::to_string).collect::<Vec<_>>(),
         extraction => extraction_section(extractions),
         metrics => kinds.flat_map(PictureKind::metrics).map(metric_row).collect::<Vec<_>>(),
+        coherence_columns => COHERENCE.map(|spec| context! { title => spec.title, unit => spec.unit, summary => spec.summary }),
         chart_script => Value::from_safe_string(chart::script()),
     })
 }
@@ -80,6 +84,7 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
                 chart => Value::from_safe_string(chart::chart(&id, kind, &cells, series)),
                 metrics => kind.metrics().map(metric_row).collect::<Vec<_>>(),
                 rows => cells.iter().map(|cell| quality_row(kind, &cells, cell, color(cell))).collect::<Vec<_>>(),
+                errors => cells.iter().filter_map(|cell| where_it_errs::row(cell, color(cell))).collect::<Vec<_>>(),
                 pictures => sets.map(|(at, set)| picture_row(comparison, at, set)).collect::<Vec<_>>(),
             }
         })
@@ -91,6 +96,7 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
         faces => grouped(summary.mesh.faces),
         visible_length => format!("{:.0}", summary.visible_length_px),
         kinds => PictureKind::ALL.into_iter().filter_map(section).collect::<Vec<_>>(),
+        coherence => coherence_table::rows(summary, color),
         costs => summary.cells.iter().map(|cell| cost_row(cell, color(cell))).collect::<Vec<_>>(),
     }
 }
@@ -243,7 +249,7 @@ mod tests {
     use crate::metrics::METRICS;
     use crate::options::OptionSetting;
     use crate::record::EdgeScore;
-    use crate::record::tests::{cell, with_option};
+    use crate::record::tests::{cell, with_coherence, with_option};
     use crate::scaling::rows_of_cells;
 
     fn rendered(comparison: &Comparison) -> String {
@@ -319,9 +325,9 @@ mod tests {
         }
         let page = rendered(&comparison);
         for options in ["concavity=0", "concavity=0.5"] {
-            // In the tables of quality and of cost.
+            // In the table of quality, the three of errors, and that of cost.
             let row = format!("tracking<span class=\"options\">{options}</span>");
-            assert_eq!(page.matches(&row).count(), 2, "{options}");
+            assert_eq!(page.matches(&row).count(), 5, "{options}");
             assert!(page.contains(&format!("tracking ({options})")), "{options} in the chart");
         }
     }
@@ -334,6 +340,22 @@ mod tests {
         assert!(page.contains("<td class=\"wrong\">recall 75.00 %, worst frame 75.00 %</td>"));
         comparison.cells[0].views[0].edges = Some(EdgeScore { found: 6, precision: 0.5, recall: 0.75 });
         assert!(rendered(&comparison).contains("worst frame 75.00 %; precision 50.00 %</td>"));
+    }
+
+    #[test]
+    fn where_lines_err_stands_beside_what_they_miss() {
+        let page = rendered(&comparison());
+        assert!(page.contains("Lines: where they err") && page.contains("<td>Misses nothing.</td>"));
+    }
+
+    #[test]
+    fn coherence_is_shown_where_it_was_measured() {
+        let mut comparison = comparison();
+        assert!(!rendered(&comparison).contains("Coherence"));
+        comparison.cells[0] = with_coherence(comparison.cells[0].clone(), 0.25);
+        let page = rendered(&comparison);
+        assert!(page.contains("<h3>Coherence</h3>") && page.contains("<td>25.00</td>"));
+        assert!(page.contains("cannot follow a mesh that moves"));
     }
 
     #[test]

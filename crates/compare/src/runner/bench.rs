@@ -1,5 +1,6 @@
 //! One mesh of a comparison: the cells that are run on it.
 
+use super::coherent::CoherenceBench;
 use super::comparison::{Comparison, LeftOut, PictureSet};
 use super::error::CompareError;
 use super::follow::{FollowError, Followed, ScoredFrame, follow};
@@ -32,6 +33,8 @@ pub(super) struct Bench<'a> {
     /// Indices of the scored frames among them, ascending.
     scored: Vec<usize>,
     truths: Truths<'a>,
+    /// Where the scene asks for coherence.
+    coherence: Option<CoherenceBench<'a>>,
 }
 
 impl<'a> Bench<'a> {
@@ -49,8 +52,9 @@ impl<'a> Bench<'a> {
         let warm_up = scene.path.warm_up as usize;
         let scored: Vec<usize> = scene.path.scored_frames().into_iter().map(|frame| warm_up + frame as usize).collect();
         let seen: Vec<Camera> = scored.iter().map(|&index| cameras[index]).collect();
-        let truths = Truths::find(subject, &seen, progress)?;
-        Ok(Self { scene, gpu, progress, subject, cameras, scored, truths })
+        let truths = Truths::find(subject, &seen, scene.pen.width_px, progress)?;
+        let coherence = scene.coherence.as_ref().map(|spec| CoherenceBench::new(subject, spec, orbit, bounds));
+        Ok(Self { scene, gpu, progress, subject, cameras, scored, truths, coherence })
     }
 
     /// Runs a cell: prepares the method, follows the path, scores the frames kept. A method that refuses the mesh is noted as
@@ -68,7 +72,10 @@ impl<'a> Bench<'a> {
             prepared => prepared.map_err(|cause| CompareError::draw(&mesh, method, cause))?,
         };
         let options = OptionSettings::from(&choice.options);
-        let (cell, pictures) = self.score_source(&mut drawing, method, options, prepare)?;
+        let (mut cell, pictures) = self.score_source(&mut drawing, method, options, prepare)?;
+        if let Some(coherence) = &mut self.coherence {
+            cell.coherence = coherence.run(&mut drawing, method, self.gpu, self.progress)?;
+        }
         comparison.cells.push(cell);
         comparison.pictures.push(pictures);
         Ok(())
@@ -145,6 +152,7 @@ impl<'a> Bench<'a> {
             prepare,
             frame: FrameCost::of(&followed.samples, warm_up).expect("every scene times at least one frame"),
             views,
+            coherence: Vec::new(),
         };
         Ok((cell, pictures))
     }
@@ -160,6 +168,7 @@ impl<'a> Bench<'a> {
             truth: self.truths.record(view, output),
             edges: frame.edges.as_ref().map(|found| self.truths.score_edges(view, found)),
             metrics: scored.metrics,
+            errors: scored.errors,
         }
     }
 }

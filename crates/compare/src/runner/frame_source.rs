@@ -6,6 +6,7 @@
 use crate::cost::FrameSample;
 use crate::drawing::{DrawError, Drawing};
 use crate::metrics::PictureKind;
+use silhouette_core::glam::Vec3;
 use silhouette_core::{Camera, SilhouetteEdges};
 use silhouette_gpu::Pen;
 use silhouette_render::{Gpu, Image};
@@ -49,6 +50,16 @@ pub trait FrameSource {
 
     /// The edges of the frame drawn last, for a method that extracts edges.
     fn edges(&self) -> Option<&SilhouetteEdges>;
+
+    /// Moves the vertices of the mesh for the frames to come; `false` where it cannot.
+    fn move_to(&mut self, _gpu: &Gpu, _positions: &[Vec3]) -> bool {
+        false
+    }
+
+    /// What is wrong with the frame drawn last, by the method's own word.
+    fn warning(&self) -> Option<String> {
+        None
+    }
 }
 
 impl FrameSource for Drawing {
@@ -69,5 +80,13 @@ impl FrameSource for Drawing {
 
     fn edges(&self) -> Option<&SilhouetteEdges> {
         self.edges()
+    }
+
+    fn move_to(&mut self, gpu: &Gpu, positions: &[Vec3]) -> bool {
+        self.move_to(gpu, positions)
+    }
+
+    fn warning(&self) -> Option<String> {
+        self.warning()
     }
 }

@@ -1,11 +1,12 @@
 use super::*;
+use crate::coherence::{CoherenceMetrics, Motion};
 use crate::cost::{FrameSample, PrepareCost};
 use crate::drawing::{DrawError, pictures_of};
 use crate::metrics::{FilledPicture, PictureKind, PictureMetrics};
 use crate::options::{OptionSetting, OptionSettings};
 use crate::record::{CameraRecord, Cell};
 use crate::registry::{self, Registry};
-use crate::scene::Profile;
+use crate::scene::{CoherenceSpec, Profile};
 use crate::truth::fill::FillTruth;
 use frame_source::{FrameSource, Output};
 use silhouette_core::{Camera, NoProgress, PreparedMesh, SilhouetteEdges, TriangleMesh, shapes};
@@ -226,4 +227,41 @@ fn a_cancelled_comparison_stops() {
     let config = CompareConfig::new(small(&["brute-force"]), &Registry::builtin()).unwrap();
     let stopped = run(&config, &[subject("torus", "torus")], gpu, &Cancelling::at_once());
     assert!(matches!(stopped, Err(CompareError::Cancelled(_))), "{stopped:?}");
+}
+
+/// Lines that are all found are coherent along every motion; a method that finds loops by chance loses some; and one that only
+/// knows the mesh at rest is marked where the mesh moves.
+#[test]
+fn coherence_is_measured_along_every_motion() {
+    let Some(gpu) = gpu_or_skip("coherence_is_measured_along_every_motion") else { return };
+    let mut scene = small(&["brute-force", "brute-force-simd", "randomized", "image-precision", "fine-mesh"]);
+    (scene.picture.width, scene.picture.height, scene.picture.samples) = (512, 512, 4);
+    scene.path.step_deg = 0.5;
+    scene.set("randomized.probes=0.0002", &Registry::builtin()).unwrap();
+    scene.coherence = Some(CoherenceSpec { motions: Motion::ALL.to_vec(), frames: 8 });
+    let config = CompareConfig::new(scene, &Registry::builtin()).unwrap();
+    let comparison = run(&config, &[subject("blob", "blob:5000")], gpu, &NoProgress).unwrap();
+    let of = |method: &str| &comparison.cells.iter().find(|cell| cell.method == method).unwrap().coherence;
+    for cell in &comparison.cells {
+        let motions: Vec<Motion> = cell.coherence.iter().map(|record| record.motion).collect();
+        assert_eq!(motions, Motion::ALL, "{}", cell.method);
+        let follows = !["brute-force", "randomized"].contains(&cell.method.as_str());
+        assert_eq!(cell.coherence[3].metrics.is_some(), follows, "{}", cell.method);
+        assert!(cell.coherence[..3].iter().all(|record| record.metrics.is_some() && record.frames == 8));
+    }
+    for metrics in of("brute-force-simd").iter().filter_map(|record| record.metrics) {
+        let expected = CoherenceMetrics { loops_lost: Some(0.0), ..CoherenceMetrics::default() };
+        assert_eq!(metrics, expected);
+    }
+    let random = of("randomized")[0].metrics.unwrap();
+    assert!(random.loops_lost.unwrap() > 0.05, "{random:?}");
+    for record in of("image-precision") {
+        let metrics = record.metrics.unwrap();
+        assert!(metrics.flicker + metrics.dropouts < 0.02 && metrics.movement_p99_rpx < 2.0, "{record:?}");
+    }
+    for record in of("fine-mesh") {
+        let metrics = record.metrics.unwrap();
+        assert!(metrics.movement_p99_rpx < 1.5 && metrics.dropouts < 0.02, "{record:?}");
+        assert_eq!(metrics.loops_lost, None);
+    }
 }

@@ -5,16 +5,21 @@ use super::frame_source::Output;
 use super::subject::Subject;
 use crate::metrics::fill::measure_fill;
 use crate::metrics::filled_picture::FilledPicture;
+use crate::metrics::line_errors::{LineErrors, line_errors, reach_px};
 use crate::metrics::lines::{TruePen, measure};
 use crate::metrics::{Ink, PictureMetrics};
 use crate::picture::difference;
 use crate::record::{EdgeScore, MeshRecord, TruthRecord};
 use crate::truth::fill::FillTruth;
+use crate::truth::sight::sight_ray;
+use crate::truth::view_facts::ViewFacts;
 use crate::truth::{Truth, TruthFinder};
 use silhouette_core::{Camera, Progress, SilhouetteEdges};
 use silhouette_gpu::{Pen, PenPlacement};
+use silhouette_rays::RayCaster;
 use silhouette_render::{Gpu, Image};
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// The truth of every scored frame of a mesh. That of filled pictures, and that of each placement of the pen, is drawn when a
 /// cell first asks for it.
@@ -22,7 +27,10 @@ pub struct Truths<'a> {
     subject: &'a Subject,
     /// The mesh, as results name it.
     pub mesh: MeshRecord,
+    finder: TruthFinder,
     views: Vec<Truth>,
+    facts: Vec<ViewFacts>,
+    rays: OnceLock<RayCaster>,
     pens: HashMap<PenPlacement, Vec<Ink>>,
     fills: Vec<FilledPicture>,
 }
@@ -31,24 +39,34 @@ pub struct Truths<'a> {
 pub struct Scored {
     /// The metrics.
     pub metrics: PictureMetrics,
+    /// Where it errs, for a picture of lines.
+    pub errors: Option<LineErrors>,
     /// The picture, the truth and their difference, for people.
     pub pictures: [Image; 3],
 }
 
 impl<'a> Truths<'a> {
-    /// Finds the true lines of every view.
+    /// Finds the true lines of every view, and what is known to make methods err there: ink of a pen of `pen_width_px` is
+    /// looked up on lines within its reach.
     ///
     /// # Errors
     /// [`CompareError::Truth`], [`CompareError::Cancelled`].
-    pub fn find(subject: &'a Subject, cameras: &[Camera], progress: &dyn Progress) -> Result<Self, CompareError> {
+    pub fn find(
+        subject: &'a Subject,
+        cameras: &[Camera],
+        pen_width_px: f64,
+        progress: &dyn Progress,
+    ) -> Result<Self, CompareError> {
         let mesh = &subject.mesh.mesh;
         let failed = |cause| CompareError::truth(&subject.mesh.name, cause);
         let mut finder = TruthFinder::new(mesh, progress).map_err(failed)?;
         progress.stage(&format!("{}: truth", subject.mesh.name), cameras.len() as u64);
-        let mut views = Vec::with_capacity(cameras.len());
+        let (mut views, mut facts) = (Vec::with_capacity(cameras.len()), Vec::with_capacity(cameras.len()));
         for camera in cameras {
             progress.check()?;
-            views.push(finder.find(camera, progress).map_err(failed)?);
+            let truth = finder.find(camera, progress).map_err(failed)?;
+            facts.push(finder.facts(&truth, reach_px(pen_width_px), progress).map_err(failed)?);
+            views.push(truth);
             progress.advance(1);
         }
         let mesh = MeshRecord {
@@ -57,7 +75,7 @@ impl<'a> Truths<'a> {
             faces: mesh.mesh().face_count(),
             edges: finder.edge_count(),
         };
-        Ok(Self { subject, mesh, views, pens: HashMap::new(), fills: Vec::new() })
+        Ok(Self { subject, mesh, finder, views, facts, rays: OnceLock::new(), pens: HashMap::new(), fills: Vec::new() })
     }
 
     /// Draws what pictures of this kind are measured against, unless it is there.
@@ -120,7 +138,7 @@ impl<'a> Truths<'a> {
                 let (drawn, truth) = (FilledPicture::new(picture.clone()), &self.fills[view]);
                 let difference = difference(drawn.coverage(), truth.coverage());
                 let metrics = PictureMetrics::Fill(measure_fill(&drawn, truth));
-                Scored { metrics, pictures: [drawn.to_picture(), truth.to_picture(), difference] }
+                Scored { metrics, errors: None, pictures: [drawn.to_picture(), truth.to_picture(), difference] }
             }
         }
     }
@@ -128,7 +146,15 @@ impl<'a> Truths<'a> {
     fn score_lines(&self, view: usize, pen: Pen, picture: &Image) -> Scored {
         let (drawn, truth) = (Ink::from_picture(picture), &self.pens[&pen.placement][view]);
         let true_pen = TruePen { picture: truth, width_px: pen.width_px };
-        let metrics = PictureMetrics::Lines(measure(&drawn, &self.views[view].lines, true_pen));
-        Scored { metrics, pictures: [picture.clone(), truth.to_picture(), difference(&drawn, truth)] }
+        let Truth { camera, lines, .. } = &self.views[view];
+        let metrics = PictureMetrics::Lines(measure(&drawn, lines, true_pen));
+        let rays = self.rays.get_or_init(|| RayCaster::new(self.subject.mesh.mesh.mesh()));
+        let seen = |place| {
+            let (origin, direction) = sight_ray(camera, place);
+            let hit = rays.first(origin, direction.as_vec3(), f64::INFINITY)?;
+            Some(self.finder.seen(camera).of_face(hit.face, hit.is_exit))
+        };
+        let errors = Some(line_errors(&drawn, lines, true_pen, &self.facts[view], seen));
+        Scored { metrics, errors, pictures: [picture.clone(), truth.to_picture(), difference(&drawn, truth)] }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::error::SceneFault;
 use super::model::{MeshSpec, ProjectionKind, Scene};
+use crate::coherence::Motion;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
@@ -17,6 +18,10 @@ pub const MAX_FRAMES: u32 = 100_000;
 
 /// Most frames that are drawn before.
 pub const MAX_WARM_UP: u32 = 10_000;
+
+/// Frames along which coherence is measured: enough that a line can come and go within three, and so few that a dolly stays
+/// before the mesh.
+pub const COHERENCE_FRAMES: RangeInclusive<u32> = 6..=60;
 
 /// Elevations stay this far from straight up and down, in degrees: there is no up in the picture there.
 const HIGHEST_ELEVATION_DEG: f64 = 89.0;
@@ -53,6 +58,16 @@ impl Scene {
         within("path.swing-deg", path.swing_deg, -room..=room)?;
         within("path.step-deg", path.step_deg, -180.0..=180.0)?;
 
+        if let Some(coherence) = &self.coherence {
+            let motions = &coherence.motions;
+            let is_once = |motion: &Motion| motions.iter().filter(|other| *other == motion).count() == 1;
+            let names: Vec<&str> = motions.iter().map(|motion| motion.name()).collect();
+            let expected = "one or more of orbit, dolly, jitter and wave, each once";
+            let fits = !motions.is_empty() && motions.iter().all(is_once);
+            require(fits, "coherence.motions", format!("[{}]", names.join(", ")), expected)?;
+            within("coherence.frames", coherence.frames, COHERENCE_FRAMES)?;
+        }
+
         within("path.warm-up", path.warm_up, 0..=MAX_WARM_UP)?;
         within("path.frames", path.frames, 1..=MAX_FRAMES)?;
         let expected = format!("at least 1 and at most path.frames = {}, since timed frames are scored", path.frames);
@@ -79,6 +94,7 @@ fn require(holds: bool, key: &'static str, value: impl Display, expected: &str) 
 
 #[cfg(test)]
 mod tests {
+    use super::super::model::CoherenceSpec;
     use super::super::profile::Profile;
     use super::*;
 
@@ -91,7 +107,11 @@ mod tests {
             scene.check().unwrap_err().to_string()
         };
         type Change<'a> = &'a dyn Fn(&mut Scene);
-        let cases: [(Change<'_>, &str); 14] = [
+        let coherence = |motions: &[Motion], frames| Some(CoherenceSpec { motions: motions.to_vec(), frames });
+        let cases: [(Change<'_>, &str); 17] = [
+            (&|s| s.coherence = coherence(&[], 9), "coherence.motions = [] does not fit: one or more of orbit"),
+            (&|s| s.coherence = coherence(&[Motion::Wave; 2], 9), "coherence.motions = [wave, wave]"),
+            (&|s| s.coherence = coherence(&[Motion::Wave], 5), "coherence.frames = 5 does not fit: 6 to 60"),
             (&|s| s.simplify_meshes(0).unwrap(), "meshes.simplify = 0 does not fit: 1 or more faces"),
             (&|s| s.picture.width = 15, "picture.width = 15 does not fit: 16 to 4096"),
             (&|s| s.picture.height = 4097, "picture.height = 4097"),

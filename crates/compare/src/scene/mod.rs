@@ -16,6 +16,7 @@ pub mod profile;
 pub use cells::MethodChoice;
 pub use error::{SceneError, SceneFault};
 pub use model::{
-    BUILTIN, MeshSpec, MethodSpec, OptionSpread, PathKind, PathSpec, PenSpec, PictureSpec, ProjectionKind, Scene,
+    BUILTIN, CoherenceSpec, MeshSpec, MethodSpec, OptionSpread, PathKind, PathSpec, PenSpec, PictureSpec,
+    ProjectionKind, Scene,
 };
 pub use profile::Profile;

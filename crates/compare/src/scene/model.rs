@@ -2,6 +2,7 @@
 
 use super::error::SceneFault;
 use crate::camera_path::{Orbit, scored_frames};
+use crate::coherence::Motion;
 use crate::options::OptionSetting;
 use serde::{Deserialize, Serialize};
 use silhouette_core::view::{Framing, UpAxis};
@@ -25,6 +26,9 @@ pub struct Scene {
     /// What lines are drawn with. Default: 2 px wide.
     #[serde(default)]
     pub pen: PenSpec,
+    /// Which motions coherence is measured along. Default: it is not measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coherence: Option<CoherenceSpec>,
     /// The methods, in the order in which they are reported. Default: all, with their default options.
     #[serde(default)]
     pub methods: Vec<MethodSpec>,
@@ -187,6 +191,16 @@ impl PathSpec {
     pub fn scored_frames(&self) -> Vec<u32> {
         scored_frames(self.frames, self.scored)
     }
+}
+
+/// Along what coherence is measured: after the timed path and outside of its clock.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct CoherenceSpec {
+    /// The motions, each once.
+    pub motions: Vec<Motion>,
+    /// Number of consecutive frames of each.
+    pub frames: u32,
 }
 
 /// What frames are drawn to.

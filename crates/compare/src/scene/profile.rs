@@ -43,7 +43,10 @@ impl Profile {
 
 #[cfg(test)]
 mod tests {
+    use super::super::cells::choices;
     use super::*;
+    use crate::coherence::Motion;
+    use crate::registry::Registry;
 
     #[test]
     fn every_profile_is_a_scene_of_its_name() {
@@ -53,6 +56,14 @@ mod tests {
             assert!(!scene.meshes.is_empty() && scene.path.scored >= 6, "{name}");
         }
         assert_eq!([Profile::Quick, Profile::Full].map(Profile::size), [[512; 2], [1024; 2]]);
+    }
+
+    #[test]
+    fn the_scene_of_coherence_can_be_run() {
+        let text = include_str!("../../../../crates/compare/scenes/coherence.toml");
+        let scene = Scene::parse(text, "coherence".to_owned()).unwrap();
+        assert_eq!(scene.coherence.as_ref().unwrap().motions, Motion::ALL);
+        assert!(choices(&scene, &Registry::builtin()).is_ok());
     }
 
     /// Views that scores come from differ by several degrees, or all of them would show the same side.

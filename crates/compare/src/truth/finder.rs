@@ -1,14 +1,16 @@
 //! [`TruthFinder`]: the steps in order.
 
+use super::mesh_facts::{CREASE_DEG, MeshFacts};
 use super::pen;
 use super::samples::TrueLines;
+use super::view_facts::{SeenMesh, ViewFacts};
 use super::visible::{Silhouette, VisibleLine, visible_lines};
 use crate::metrics::ink::Ink;
 use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
 use silhouette_core::{Cancelled, FaceFacings, PreparedMesh, Progress, SilhouetteEdges, Topology};
 use silhouette_gpu::Pen;
-use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines};
+use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines, Outline};
 use std::sync::Arc;
 
 /// Why there is no truth.
@@ -35,6 +37,7 @@ pub struct TruthFinder {
     topology: Arc<Topology>,
     lines: LineFinder,
     facings: FaceFacings,
+    facts: MeshFacts,
 }
 
 /// The truth of one view.
@@ -73,18 +76,57 @@ impl Progress for Quiet<'_> {
     }
 }
 
+/// Nothing for a view that is too crowded; any other error stays one.
+fn unless_crowded<T>(found: Result<T, LineError>) -> Result<Option<T>, LineError> {
+    match found {
+        Err(LineError::TooCrowded) => Ok(None),
+        found => found.map(Some),
+    }
+}
+
 impl TruthFinder {
     /// Prepares for a mesh: topology and face tree. O(F log F).
     ///
     /// # Errors
     /// [`TruthError::Prepare`].
     pub fn new(mesh: &Arc<PreparedMesh>, progress: &dyn Progress) -> Result<Self, TruthError> {
+        let topology: Arc<Topology> = mesh.artefact("truth", progress).map_err(PrepareError::from)?;
         Ok(Self {
             mesh: Arc::clone(mesh),
-            topology: mesh.artefact("truth", progress).map_err(PrepareError::from)?,
+            facts: MeshFacts::new(mesh.mesh(), &topology),
+            topology,
             lines: LineFinder::new(LineScene::new(Arc::clone(mesh)), progress)?,
             facings: FaceFacings::default(),
         })
+    }
+
+    /// The mesh as a camera sees it, for questions about edges and faces.
+    pub fn seen<'a>(&'a self, camera: &'a Camera) -> SeenMesh<'a> {
+        SeenMesh { mesh: self.mesh.mesh(), topology: &self.topology, facts: &self.facts, camera }
+    }
+
+    /// What is known to make methods err at each place of the lines of a view, and of lines that ink within `reach_px` may lie
+    /// on: true lines, silhouette and boundary edges that are hidden, and creases that are seen. Those of a view that is too
+    /// crowded for them are left out. O(as [`find`](Self::find)).
+    ///
+    /// # Errors
+    /// [`TruthError`], cancelled only.
+    pub fn facts(&mut self, truth: &Truth, reach_px: f64, progress: &dyn Progress) -> Result<ViewFacts, TruthError> {
+        let every = LineOptions { max_invisibility: u32::MAX, back_boundary: true, ..silhouette_options() };
+        let creases = LineOptions {
+            silhouette: false,
+            boundary: false,
+            ridge_deg: Some(CREASE_DEG),
+            valley_deg: Some(CREASE_DEG),
+            ..silhouette_options()
+        };
+        let mut chains = Vec::new();
+        for options in [every, creases] {
+            chains.extend(unless_crowded(self.lines.find(&truth.camera, &options, &Quiet(progress)))?);
+        }
+        let chains: Vec<_> = chains.into_iter().map(|lines| lines.chains).collect();
+        let outline = self.outline(&truth.camera, progress)?;
+        Ok(ViewFacts::new(&self.seen(&truth.camera), &truth.lines, outline.as_ref(), &chains, reach_px))
     }
 
     /// Number of edges of the mesh.
@@ -99,6 +141,14 @@ impl TruthFinder {
     pub fn find(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Truth, TruthError> {
         let (edges, visible) = self.lines_down_to(0, camera, progress)?;
         Ok(Truth { camera: *camera, edges, lines: TrueLines::of(&visible), visible })
+    }
+
+    /// The outline of a view, unless that is too crowded. O(F + S log S).
+    ///
+    /// # Errors
+    /// [`TruthError`], cancelled only.
+    pub fn outline(&mut self, camera: &Camera, progress: &dyn Progress) -> Result<Option<Outline>, TruthError> {
+        Ok(unless_crowded(self.lines.outline(camera, &Quiet(progress)))?)
     }
 
     /// All silhouette edges of a view as if nothing hid them. O(as [`find`](Self::find)).
