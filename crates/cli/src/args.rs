@@ -6,10 +6,12 @@ use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use silhouette_compare::Profile;
+use silhouette_compare::sweep::Shard;
 use silhouette_core::method::Source;
 use silhouette_papers::Paper;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// Find, draw and compare the silhouettes of triangle meshes.
 ///
@@ -105,8 +107,19 @@ pub enum Command {
         A scene is a TOML file with meshes, camera path, picture, pen and methods; crates/compare/scenes/quick.toml explains each key. Paths\n\
         in it are relative to its folder. Times and accuracy are of the same frames: of the timed frames some are scored.\n\
         A simplified mesh keeps its components, holes and handles. Where N faces are too few for that, it is refused with the\n\
-        number that can be reached.")]
+        number that can be reached.\n\n\
+        Finished cells are kept beside the report until it is written: a comparison that was interrupted goes on where it was when\n\
+        the same command is given again. Shards of one comparison may share a folder; `silhouettes merge` makes the report.")]
     Compare(CompareArguments),
+    /// Make one report of the cells that several processes measured
+    #[command(after_help = "Examples:\n  \
+        silhouettes compare bunny.obj --shard 1/2 -o out/cells\n  \
+        silhouettes compare bunny.obj --shard 2/2 -o out/cells\n  \
+        silhouettes merge out/cells -o out/bunny\n\n\
+        The folders must hold every cell of one comparison: same program, meshes, methods and scene. Pictures are worth the same\n\
+        whichever process drew them; times of different machines stand in charts of their own. docs/sweeps has examples for GNU\n\
+        parallel, HyperQueue and Slurm.")]
+    Merge(MergeArguments),
     /// Measure what a paper printed, and set both side by side: tables, charts, a page that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
@@ -129,7 +142,7 @@ impl Command {
         match self {
             Self::Doctor | Self::Render(_) | Self::Smooth(_) | Self::Compare(_) | Self::Reproduce(_) => true,
             Self::Lines(arguments) => arguments.quick,
-            Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) => false,
+            Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) | Self::Merge(_) => false,
         }
     }
 }
@@ -303,6 +316,20 @@ pub struct CompareArguments {
     /// Extraction timings of other tools for the report, as benches/peers writes them; may be given several times
     #[arg(long, value_name = "FILE.jsonl")]
     pub peers: Vec<PathBuf>,
+    /// Measure only the I-th of N shares of the cells, to be merged with the others [default: that of a Slurm job array, or all]
+    #[arg(long, value_name = "I/N", value_parser = Shard::from_str)]
+    pub shard: Option<Shard>,
+    /// Folder for the report; made, or replaced where it holds an earlier report. With --shard: for the finished cells
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Arguments of `merge`.
+#[derive(Debug, Args)]
+pub struct MergeArguments {
+    /// Folders of finished cells, as `compare --shard` leaves them
+    #[arg(required = true, value_name = "DIR")]
+    pub cells: Vec<PathBuf>,
     /// Folder for the report; made, or replaced where it holds an earlier report
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,

@@ -10,15 +10,20 @@ use crate::winding::Winding;
 use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
 use silhouette_compare::scaling::read_rows;
 use silhouette_compare::scene::{MeshSpec, Scene};
-use silhouette_compare::{Profile, Registry, report, run as run_comparison};
+use silhouette_compare::sweep::{CellStore, Key, Shard, ShardError, merge, run_shard};
+use silhouette_compare::{Profile, Registry, report};
 use silhouette_core::Progress;
 use silhouette_render::{AdapterChoice, Gpu};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Runs the command.
 pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Failure> {
     let config = config(arguments, registry)?;
-    report::check_target(&arguments.output).map_err(Failure::input)?;
+    let shard = shard(arguments)?;
+    if shard.is_none() {
+        report::check_target(&arguments.output).map_err(Failure::input)?;
+    }
     check_writable(&arguments.output)?;
     let mut peers = Vec::new();
     for path in &arguments.peers {
@@ -28,13 +33,74 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
     let depends = config.methods().iter().any(|choice| draws_itself(&choice.entry));
     let subjects = subjects(config.scene(), arguments.orient.winding(depends), &progress)?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
-    let mut comparison = run_comparison(&config, &subjects, &gpu, &progress).map_err(failed)?;
+    let key = Key::of(&config, &subjects);
+    if let Some(shard) = shard {
+        let store = CellStore::open(&arguments.output, key).map_err(Failure::input)?;
+        return run_shard(&config, &subjects, &store, shard, &gpu, &progress).map_err(of_shard);
+    }
+    let store = CellStore::open(&beside(&arguments.output, &key), key).map_err(Failure::input)?;
+    let found = store.count();
+    if found > 0 {
+        let of = store.key().cells();
+        failure::note(format!(
+            "{found} of {of} cells were measured before, and are taken from {}",
+            store.folder().display()
+        ));
+    }
+    let measured = run_shard(&config, &subjects, &store, Shard::WHOLE, &gpu, &progress).map_err(of_shard);
+    if let Err(failure) = measured {
+        return Err(after_failure(failure, store));
+    }
+    let mut comparison = merge(std::slice::from_ref(&store), registry).map_err(Failure::run)?;
     for cell in &comparison.left_out {
         failure::note(cell);
     }
     comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
-    Ok(())
+    store.remove().map_err(Failure::run)
+}
+
+/// The shard that is asked for, or that a Slurm job array makes of this process.
+fn shard(arguments: &CompareArguments) -> Result<Option<Shard>, Failure> {
+    if arguments.shard.is_some() {
+        return Ok(arguments.shard);
+    }
+    let shard = Shard::of_slurm(|name| std::env::var(name).ok());
+    let shard = shard.map_err(|error| Failure::Input(format!("--shard: {error}; give one")))?;
+    if let Some(shard) = shard {
+        let output = arguments.output.display();
+        failure::note(format!(
+            "shard {shard} of a Slurm job array: {output} will hold cells; silhouettes merge makes the report"
+        ));
+    }
+    Ok(shard)
+}
+
+/// Where the finished cells of a comparison are kept until its report is written.
+fn beside(report: &Path, key: &Key) -> PathBuf {
+    let report: PathBuf = report.components().collect();
+    let mut name = report.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".cells-{}", key.digest()));
+    report.with_file_name(name)
+}
+
+/// Says what was kept of a comparison that failed; leaves nothing behind where nothing was.
+fn after_failure(failure: Failure, store: CellStore) -> Failure {
+    let (kept, cells) = (store.count(), store.key().cells());
+    if kept > 0 {
+        let folder = store.folder().display();
+        failure::note(format!("{kept} of {cells} cells are kept in {folder}; the same command goes on from there"));
+    } else if let Err(error) = store.remove() {
+        failure::note(error);
+    }
+    failure
+}
+
+fn of_shard(error: ShardError) -> Failure {
+    match error {
+        ShardError::Compare(error) => failed(error),
+        other => Failure::run(other),
+    }
 }
 
 /// The scene named, or that of the profile, with what the command line overrides.

@@ -18,6 +18,7 @@ mod input;
 mod inspect;
 mod interrupt;
 mod lines;
+mod merge;
 mod mesa;
 mod output;
 mod progress;
@@ -70,6 +71,7 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Smooth(arguments) => smooth::run(&arguments, registry),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments, registry),
+        Command::Merge(arguments) => merge::run(&arguments, registry),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }

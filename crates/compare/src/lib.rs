@@ -10,6 +10,7 @@
 //!    [`coherence`]: what a sequence of pictures does that the truth does not.
 //! 6. [`runner`]: methods with their options x meshes, along one path; yields [cells](record::Cell). [`machine`]: where they
 //!    were made.
+//!    [`sweep`]: the cells shared among processes and machines, and kept over interruptions.
 //! 7. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
 //! 8. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
 //! 9. [`report`]: files for people and programs.
@@ -34,6 +35,7 @@ pub mod result_directory;
 pub mod runner;
 pub mod scaling;
 pub mod scene;
+pub mod sweep;
 pub mod truth;
 
 pub use drawing::{FrameStyle, Ground, render_method};

@@ -95,6 +95,11 @@ pub fn describe_program() -> String {
     format!("silhouettes {version}, {BUILD} build{commit}, {rustc}")
 }
 
+/// Version and commit of this program.
+pub(crate) fn program() -> [String; 2] {
+    [env!("CARGO_PKG_VERSION"), env!("SILHOUETTES_COMMIT")].map(str::to_owned)
+}
+
 /// Whether assertions are on.
 const BUILD: &str = if cfg!(debug_assertions) { "debug" } else { "release" };
 

@@ -20,7 +20,7 @@ pub mod subject;
 pub mod truths;
 
 pub use crate::scene::model::DEFAULT_PEN_WIDTH_PX;
-pub use comparison::{Comparison, LeftOut, PictureSet};
+pub use comparison::{Comparison, LeftOut, Outcome, PictureSet};
 pub use error::CompareError;
 pub use subject::{NamedMesh, SimplifyFault, Subject};
 
@@ -73,28 +73,39 @@ pub fn run(
     gpu: &Gpu,
     progress: &dyn Progress,
 ) -> Result<Comparison, CompareError> {
-    check(subjects)?;
-    let mut comparison = Comparison {
-        scene: config.scene.clone(),
-        run: RunDescription::of_this_process(gpu.adapter()),
-        methods: Vec::new(),
-        cells: Vec::new(),
-        pictures: Vec::new(),
-        left_out: Vec::new(),
-        peers: Vec::new(),
-    };
-    for choice in &config.methods {
-        if comparison.methods.iter().all(|entry| entry.info().name != choice.entry.info().name) {
-            comparison.methods.push(choice.entry.clone());
-        }
-    }
-    for subject in subjects {
-        let mut bench = Bench::new(&config.scene, subject, gpu, progress)?;
-        for choice in &config.methods {
-            bench.run_cell(choice, &mut comparison)?;
-        }
-    }
+    let mut comparison = Comparison::new(config.scene.clone());
+    config.methods.iter().for_each(|choice| comparison.add_method(&choice.entry));
+    let run = RunDescription::of_this_process(gpu.adapter());
+    run_cells(config, subjects, gpu, progress, &|_| true, &mut |_, outcome| {
+        comparison.add(&run, outcome);
+        Ok::<(), CompareError>(())
+    })?;
     Ok(comparison)
+}
+
+/// Measures the cells that are due, and hands each to `keep` as soon as it is finished. Cells are numbered from 0: all methods on the
+/// first mesh, then all on the second, and so on.
+pub(crate) fn run_cells<E: From<CompareError>>(
+    config: &CompareConfig,
+    subjects: &[Subject],
+    gpu: &Gpu,
+    progress: &dyn Progress,
+    is_due: &dyn Fn(usize) -> bool,
+    keep: &mut dyn FnMut(usize, Outcome) -> Result<(), E>,
+) -> Result<(), E> {
+    check(subjects)?;
+    let methods = config.methods.len();
+    for (at, subject) in subjects.iter().enumerate() {
+        let due: Vec<usize> = (0..methods).filter(|method| is_due(at * methods + method)).collect();
+        if due.is_empty() {
+            continue;
+        }
+        let mut bench = Bench::new(&config.scene, subject, gpu, progress)?;
+        for method in due {
+            keep(at * methods + method, bench.run_cell(&config.methods[method])?)?;
+        }
+    }
+    Ok(())
 }
 
 fn check(subjects: &[Subject]) -> Result<(), CompareError> {

@@ -82,6 +82,15 @@ impl Image {
         Ok(png.into_inner())
     }
 
+    /// The picture that the bytes of a PNG file hold.
+    ///
+    /// # Errors
+    /// The decoder's: these bytes are no PNG file, or a damaged one.
+    pub fn from_png(png: &[u8]) -> Result<Self, image::ImageError> {
+        let picture = image::load_from_memory_with_format(png, image::ImageFormat::Png)?.into_rgba8();
+        Ok(Self { width: picture.width(), height: picture.height(), rgba: picture.into_raw() })
+    }
+
     /// Writes a PNG file: beside its name first, renamed once it is whole.
     ///
     /// # Errors
@@ -124,6 +133,8 @@ mod tests {
         let path = folder.path().join("a.png");
         image.save_png(&path).unwrap();
         assert_eq!(image::open(&path).unwrap().into_rgba8().into_raw(), image.rgba);
+        assert_eq!(Image::from_png(&std::fs::read(&path).unwrap()).unwrap(), image);
+        assert!(Image::from_png(b"no picture").is_err());
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
         assert_eq!(image.pixel(2, 1), [20, 21, 22, 23].map(|i: u8| i * 7));
 

@@ -28,12 +28,13 @@ fn optional<T: ToString>(value: Option<T>) -> String {
 }
 
 /// The columns before those of options and metrics.
-const COLUMNS: [Column; 30] = [
+const COLUMNS: [Column; 31] = [
     ("mesh", |cell, _| cell.mesh.name.clone()),
     ("vertices", |cell, _| cell.mesh.vertices.to_string()),
     ("faces", |cell, _| cell.mesh.faces.to_string()),
     ("method", |cell, _| cell.method.clone()),
     ("picture", |cell, _| cell.picture.name().to_owned()),
+    ("run", |cell, _| cell.run.to_string()),
     ("pen_width_px", |cell, _| optional(cell.pen.as_ref().map(|pen| pen.width_px))),
     ("pen_placement", |cell, _| optional(cell.pen.as_ref().map(|pen| pen.placement.clone()))),
     ("prepare_ms", |cell, _| cell.prepare.prepare_ms.to_string()),

@@ -24,6 +24,8 @@ pub struct Cell {
     pub options: OptionSettings,
     /// What its pictures show.
     pub picture: PictureKind,
+    /// Which of the [runs](crate::Comparison::runs) of the comparison measured it, from 0. Times of different runs are not compared.
+    pub run: usize,
     /// The pen that it drew with and the truth was drawn with, for pictures of lines.
     pub pen: Option<PenRecord>,
     /// Cost of the preparation.
@@ -195,6 +197,7 @@ pub(crate) mod tests {
             method: method.to_owned(),
             options: OptionSettings::default(),
             picture: PictureKind::Lines,
+            run: 0,
             pen: Some(PenRecord { width_px: 2.0, placement: "centred".to_owned() }),
             prepare: PrepareCost { prepare_ms: 1.0, renderer_ms: 2.0, bytes: 300 },
             frame: FrameCost {

@@ -72,7 +72,7 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     staged.write("run.json", &formed("run.json", run_file(comparison))?)?;
     staged.write("results.jsonl", &formed("results.jsonl", rows(&comparison.cells))?)?;
     staged.write("results.csv", &formed("results.csv", table(&Table::of(&comparison.cells)))?)?;
-    let own = rows_of_cells(&comparison.cells, &comparison.run);
+    let own = rows_of_cells(&comparison.cells, &comparison.runs);
     let extractions = [own, comparison.peers.clone()].concat();
     staged.write("extraction.jsonl", &formed("extraction.jsonl", rows(&extractions))?)?;
     for (index, set) in comparison.pictures.iter().enumerate() {
@@ -95,13 +95,13 @@ fn formed<T>(file: &str, contents: io::Result<T>) -> Result<T, ReportError> {
 #[derive(Serialize)]
 struct RunFile<'a> {
     scene: &'a Scene,
-    run: &'a RunDescription,
+    runs: &'a [RunDescription],
     left_out: &'a [LeftOut],
 }
 
 fn run_file(comparison: &Comparison) -> io::Result<Vec<u8>> {
-    let Comparison { scene, run, left_out, .. } = comparison;
-    let mut text = serde_json::to_vec_pretty(&RunFile { scene, run, left_out })?;
+    let Comparison { scene, runs, left_out, .. } = comparison;
+    let mut text = serde_json::to_vec_pretty(&RunFile { scene, runs, left_out })?;
     text.push(b'\n');
     Ok(text)
 }
@@ -154,7 +154,7 @@ mod tests {
         ];
         Comparison {
             scene: Profile::Quick.scene(),
-            run: sample::run(),
+            runs: vec![sample::run()],
             methods: crate::registry::Registry::builtin().entries().to_vec(),
             left_out: Vec::new(),
             pictures: cells.iter().map(set).collect(),
@@ -174,7 +174,7 @@ mod tests {
         let cells: Vec<Cell> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
         assert_eq!(cells, comparison.cells);
         let extractions = read_rows(&folder.join("extraction.jsonl")).unwrap();
-        let own = rows_of_cells(&comparison.cells, &comparison.run);
+        let own = rows_of_cells(&comparison.cells, &comparison.runs);
         assert_eq!(extractions, [own, comparison.peers.clone()].concat());
         let mut table = csv::Reader::from_path(folder.join("results.csv")).unwrap();
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();

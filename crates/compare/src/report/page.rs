@@ -6,6 +6,7 @@ use super::extraction_chart;
 use super::summary::{CellSummary, MeshSummary, baseline, summarise};
 use super::where_it_errs;
 use crate::coherence::metrics::COHERENCE;
+use crate::machine::RunDescription;
 use crate::metrics::PictureKind;
 use crate::metrics::table::{Better, MetricSpec};
 use crate::record::Cell;
@@ -35,9 +36,9 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         scored => scene.path.scored,
         frames => scene.path.frames,
         warm_up => scene.path.warm_up,
-        facts => comparison.run.facts(),
-        is_debug => comparison.run.build == "debug",
-        is_software => comparison.run.adapter.software,
+        runs => comparison.runs.iter().map(RunDescription::facts).collect::<Vec<_>>(),
+        is_debug => comparison.runs.iter().any(|run| run.build == "debug"),
+        is_software => comparison.runs.iter().any(|run| run.adapter.software),
         methods => methods(comparison),
         meshes => meshes,
         left_out => comparison.left_out.iter().map(ToString::to_string).collect::<Vec<_>>(),
@@ -76,7 +77,9 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
         let cells = summary.of_kind(kind);
         let id = format!("chart-{index}-{}", kind.name());
         let sets = comparison.pictures.iter().enumerate();
-        let sets = sets.filter(|(_, set)| set.mesh == summary.mesh.name && set.picture == kind);
+        let sets = sets.filter(|(at, set)| {
+            set.mesh == summary.mesh.name && set.picture == kind && comparison.cells[*at].run == summary.run
+        });
         (!cells.is_empty()).then(|| {
             context! {
                 title => match kind { PictureKind::Lines => "Lines", PictureKind::Fill => "Filled pictures" },
@@ -91,6 +94,7 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
     };
     context! {
         name => &summary.mesh.name,
+        machine => (comparison.runs.len() > 1).then_some(summary.run + 1),
         vertices => grouped(summary.mesh.vertices),
         edges => grouped(summary.mesh.edges),
         faces => grouped(summary.mesh.faces),
@@ -253,7 +257,7 @@ mod tests {
     use crate::scaling::rows_of_cells;
 
     fn rendered(comparison: &Comparison) -> String {
-        let extractions = [rows_of_cells(&comparison.cells, &comparison.run), comparison.peers.clone()].concat();
+        let extractions = [rows_of_cells(&comparison.cells, &comparison.runs), comparison.peers.clone()].concat();
         render(comparison, &extractions).unwrap()
     }
 
@@ -280,7 +284,7 @@ mod tests {
     #[test]
     fn what_is_left_out_is_stated() {
         let reason = "3 edges join <b>".to_owned();
-        let left_out = vec![crate::LeftOut { mesh: "m".to_owned(), method: "tracking", reason }];
+        let left_out = vec![crate::LeftOut { mesh: "m".to_owned(), method: "tracking".to_owned(), reason }];
         let page = rendered(&Comparison { left_out, ..comparison() });
         assert!(page.contains("<li>m: tracking is left out: 3 edges join &lt;b&gt;</li>"));
         assert!(!rendered(&comparison()).contains("is left out"));

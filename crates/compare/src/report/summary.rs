@@ -8,11 +8,13 @@ use crate::record::label::{distinguishing_options, label};
 use crate::record::{Cell, MeshRecord};
 use crate::registry;
 
-/// A mesh with its cells.
+/// A mesh with its cells of one run: times of different machines are not compared.
 #[derive(Debug, Clone)]
 pub struct MeshSummary<'a> {
     /// The mesh.
     pub mesh: &'a MeshRecord,
+    /// Which run measured its cells.
+    pub run: usize,
     /// Visible silhouette averaged over the scored frames, in pixels.
     pub visible_length_px: f64,
     /// Its cells, in the order of the comparison.
@@ -51,15 +53,15 @@ impl<'a> MeshSummary<'a> {
     }
 }
 
-/// Groups cells by mesh, in the order of each mesh's first cell. O(cells squared).
+/// Groups cells by mesh and run, in the order of each group's first cell. O(cells squared).
 pub fn summarise(cells: &[Cell]) -> Vec<MeshSummary<'_>> {
     let mut meshes: Vec<MeshSummary<'_>> = Vec::new();
     for cell in cells {
         let Some(metrics) = cell.mean_metrics() else { continue };
-        let at = meshes.iter().position(|mesh| *mesh.mesh == cell.mesh).unwrap_or_else(|| {
+        let at = meshes.iter().position(|mesh| *mesh.mesh == cell.mesh && mesh.run == cell.run).unwrap_or_else(|| {
             let lengths = || cell.views.iter().map(|view| view.truth.visible_length_px);
             let visible_length_px = lengths().sum::<f64>() / lengths().count() as f64;
-            meshes.push(MeshSummary { mesh: &cell.mesh, visible_length_px, cells: Vec::new() });
+            meshes.push(MeshSummary { mesh: &cell.mesh, run: cell.run, visible_length_px, cells: Vec::new() });
             meshes.len() - 1
         });
         meshes[at].cells.push(CellSummary {
@@ -111,6 +113,15 @@ mod tests {
         assert_eq!(ratios(1), [None], "no baseline on this mesh");
         assert_eq!(meshes[0].cells[1].extract_ratio, Some(0.25));
         assert_eq!(meshes[0].of_kind(PictureKind::Fill).len(), 2);
+    }
+
+    #[test]
+    fn times_of_different_machines_are_not_compared() {
+        let elsewhere = |cell: Cell| Cell { run: 1, ..cell };
+        let cells = [cell("a", registry::BASELINE, 4.0, 1.0), elsewhere(cell("a", "fast", 1.0, 5.0))];
+        let meshes = summarise(&cells);
+        assert_eq!(meshes.iter().map(|mesh| mesh.cells.len()).collect::<Vec<_>>(), [1, 1]);
+        assert_eq!(meshes[1].cells[0].frame_ratio, None, "its baseline was measured elsewhere");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! One mesh of a comparison: the cells that are run on it.
 
 use super::coherent::CoherenceBench;
-use super::comparison::{Comparison, LeftOut, PictureSet};
+use super::comparison::{LeftOut, Outcome, PictureSet};
 use super::error::CompareError;
 use super::follow::{FollowError, Followed, ScoredFrame, follow};
 use super::frame_source::{FrameSource, Output};
@@ -59,15 +59,15 @@ impl<'a> Bench<'a> {
 
     /// Runs a cell: prepares the method, follows the path, scores the frames kept. A method that refuses the mesh is noted as
     /// left out.
-    pub fn run_cell(&mut self, choice: &MethodChoice, comparison: &mut Comparison) -> Result<(), CompareError> {
+    pub fn run_cell(&mut self, choice: &MethodChoice) -> Result<Outcome, CompareError> {
         let method = choice.entry.info().name;
         let mesh = self.subject.mesh.name.clone();
         self.progress.stage(&format!("{mesh}: {method}"), self.cameras.len() as u64);
         let prepared = self.prepare(choice);
         let (mut drawing, prepare) = match prepared {
             Err(DrawError::Prepare(PrepareError::Mesh(reason))) => {
-                comparison.left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
-                return Ok(());
+                let method = method.to_owned();
+                return Ok(Outcome::LeftOut(LeftOut { mesh, method, reason: reason.to_string() }));
             }
             prepared => prepared.map_err(|cause| CompareError::draw(&mesh, method, cause))?,
         };
@@ -76,9 +76,7 @@ impl<'a> Bench<'a> {
         if let Some(coherence) = &mut self.coherence {
             cell.coherence = coherence.run(&mut drawing, method, self.gpu, self.progress)?;
         }
-        comparison.cells.push(cell);
-        comparison.pictures.push(pictures);
-        Ok(())
+        Ok(Outcome::Measured { cell: Box::new(cell), pictures: Box::new(pictures) })
     }
 
     /// Prepares a method for a mesh that nothing was derived from, so that its time holds everything it needs.
@@ -142,6 +140,7 @@ impl<'a> Bench<'a> {
             method: method.to_owned(),
             options,
             picture: output.kind(),
+            run: 0,
             pen: match output {
                 Output::Lines(pen) => {
                     let placement = placement_name(pen.placement).to_owned();

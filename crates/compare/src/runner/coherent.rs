@@ -78,7 +78,7 @@ impl<'a> CoherenceBench<'a> {
         if self.sequences.contains_key(&(motion, of_other)) {
             return Ok(());
         }
-        let failed = |source| CompareError::View { mesh: name.clone(), source };
+        let failed = |cause| CompareError::View { mesh: name.clone(), cause };
         let cameras = motion.cameras(&self.orbit, &self.bounds, self.spec.frames).map_err(failed)?;
         let mesh = match self.subject.truth.as_ref().filter(|_| of_other) {
             Some(truth) => Arc::new(PreparedMesh::new(Arc::clone(truth))),

@@ -14,8 +14,8 @@ use silhouette_render::Image;
 pub struct Comparison {
     /// What was asked for.
     pub scene: Scene,
-    /// Machine, adapter and program.
-    pub run: RunDescription,
+    /// Machines, adapters and programs that measured, each once: one, where no [sweep](crate::sweep) was merged of several.
+    pub runs: Vec<RunDescription>,
     /// The methods in the order in which they are reported, each once.
     pub methods: Vec<Entry>,
     /// One cell per mesh and choice of a method with options, in this order.
@@ -28,13 +28,65 @@ pub struct Comparison {
     pub peers: Vec<ExtractionRow>,
 }
 
+/// What measuring a cell yields.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    /// Numbers and pictures.
+    Measured {
+        /// The numbers.
+        cell: Box<Cell>,
+        /// The pictures.
+        pictures: Box<PictureSet>,
+    },
+    /// The method is not defined for the mesh.
+    LeftOut(LeftOut),
+}
+
+impl Comparison {
+    /// A comparison that holds nothing yet.
+    pub(crate) fn new(scene: Scene) -> Self {
+        Self {
+            scene,
+            runs: Vec::new(),
+            methods: Vec::new(),
+            cells: Vec::new(),
+            pictures: Vec::new(),
+            left_out: Vec::new(),
+            peers: Vec::new(),
+        }
+    }
+
+    /// Adds a method unless it is there.
+    pub(crate) fn add_method(&mut self, entry: &Entry) {
+        if self.methods.iter().all(|known| known.info().name != entry.info().name) {
+            self.methods.push(entry.clone());
+        }
+    }
+
+    /// Adds the next cell, measured by `run`.
+    pub(crate) fn add(&mut self, run: &RunDescription, outcome: Outcome) {
+        let known = self.runs.iter().position(|known| known == run);
+        let run = known.unwrap_or_else(|| {
+            self.runs.push(run.clone());
+            self.runs.len() - 1
+        });
+        match outcome {
+            Outcome::Measured { cell, pictures } => {
+                self.cells.push(Cell { run, ..*cell });
+                self.pictures.push(*pictures);
+            }
+            Outcome::LeftOut(left_out) => self.left_out.push(left_out),
+        }
+    }
+}
+
 /// A method that a comparison leaves out on a mesh, because it is not defined for it.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct LeftOut {
     /// Name of the mesh.
     pub mesh: String,
     /// Name of the method.
-    pub method: &'static str,
+    pub method: String,
     /// Why, with the elements at fault.
     pub reason: String,
 }

@@ -213,7 +213,7 @@ fn a_method_that_refuses_a_mesh_is_left_out_with_its_reason() {
     let config =
         CompareConfig::new(small(&["brute-force", "tracking", "tracking-exact"]), &Registry::builtin()).unwrap();
     let comparison = run(&config, &[subject("one-sided", "moebius:12,2")], gpu, &NoProgress).unwrap();
-    let left_out: Vec<_> = comparison.left_out.iter().map(|cell| (cell.mesh.as_str(), cell.method)).collect();
+    let left_out: Vec<_> = comparison.left_out.iter().map(|cell| (cell.mesh.as_str(), cell.method.as_str())).collect();
     assert_eq!(left_out, [("one-sided", "tracking"), ("one-sided", "tracking-exact")]);
     let note = comparison.left_out[0].to_string();
     assert!(note.starts_with("one-sided: tracking is left out: ") && note.contains("disagree"), "{note}");

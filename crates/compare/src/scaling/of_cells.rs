@@ -7,9 +7,10 @@ use crate::record::Cell;
 use crate::record::label::label;
 
 /// One row for each cell of a comparison that extracts edges, in their order. Times are those of its frames: between two
-/// extractions a frame is drawn, which leaves caches colder than extractions one after another. O(cells squared).
-pub fn rows_of_cells(cells: &[Cell], run: &RunDescription) -> Vec<ExtractionRow> {
-    cells.iter().filter_map(|cell| row(label(cell, cells), cell, run)).collect()
+/// extractions a frame is drawn, which leaves caches colder than extractions one after another. `runs` are those that the cells
+/// refer to. O(cells squared).
+pub fn rows_of_cells(cells: &[Cell], runs: &[RunDescription]) -> Vec<ExtractionRow> {
+    cells.iter().filter_map(|cell| row(label(cell, cells), cell, runs.get(cell.run)?)).collect()
 }
 
 /// The row of a cell; `None` where it extracts no edges, or faster than the clock ticks.
@@ -57,7 +58,7 @@ mod tests {
         found.views.push(second);
         let mut drawn = cell("a", "image-precision", 2.0, 1.0);
         drawn.frame.extract_ms = None;
-        let rows = rows_of_cells(&[found, drawn], &run());
+        let rows = rows_of_cells(&[found, drawn], &[run()]);
         let [row] = &rows[..] else { panic!("{rows:?}") };
         assert_eq!((row.label().as_str(), row.faces, row.views), ("brute-force, 2 threads", 4, 20));
         assert_eq!((row.median_ms, row.p95_ms, row.edges_per_second), (1.0, 2.0, 6000.0));
@@ -68,7 +69,7 @@ mod tests {
     #[test]
     fn options_are_named_where_they_differ() {
         let seeded = |seed: f64| with_option(cell("a", "m", 1.0, 1.0), "seed", OptionSetting::Number(seed));
-        let rows = rows_of_cells(&[seeded(1.0), seeded(2.0)], &run());
+        let rows = rows_of_cells(&[seeded(1.0), seeded(2.0)], &[run()]);
         let names: Vec<String> = rows.into_iter().map(|row| row.method).collect();
         assert_eq!(names, ["m (seed=1)", "m (seed=2)"]);
     }

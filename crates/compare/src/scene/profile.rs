@@ -60,7 +60,7 @@ mod tests {
 
     #[test]
     fn the_scene_of_coherence_can_be_run() {
-        let text = include_str!("../../../../crates/compare/scenes/coherence.toml");
+        let text = include_str!("../../scenes/coherence.toml");
         let scene = Scene::parse(text, "coherence".to_owned()).unwrap();
         assert_eq!(scene.coherence.as_ref().unwrap().motions, Motion::ALL);
         assert!(choices(&scene, &Registry::builtin()).is_ok());

@@ -1,0 +1,88 @@
+//! [`Key`]: all that decides what the cells of a comparison are.
+
+use crate::machine::program;
+use crate::options::OptionSettings;
+use crate::runner::{CompareConfig, Subject};
+use crate::scene::Scene;
+use serde::{Deserialize, Serialize};
+use silhouette_core::TriangleMesh;
+
+/// All that decides what the cells of a comparison are, and what their pictures are worth: two processes with the same key measure
+/// the same cells. What decides times alone is not in it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Key {
+    /// Version and commit of the program.
+    pub program: [String; 2],
+    /// The scene's name.
+    pub name: String,
+    /// The scene without its name, with what the command line overrides.
+    pub scene: Scene,
+    /// The methods with their options, in the order of the cells of a mesh.
+    pub methods: Vec<MethodKey>,
+    /// The meshes, in the order of the cells.
+    pub meshes: Vec<MeshKey>,
+}
+
+/// A method with its options.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MethodKey {
+    /// The method.
+    pub name: String,
+    /// All of its options.
+    pub options: OptionSettings,
+}
+
+/// A mesh, by what it holds.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MeshKey {
+    /// Its name.
+    pub name: String,
+    /// Vertices, faces and a checksum of both.
+    pub drawn: [u64; 3],
+    /// The same of what filled pictures are measured against, where that is another mesh.
+    pub truth: Option<[u64; 3]>,
+}
+
+impl Key {
+    /// The key of a comparison. O(V + F) of all meshes.
+    pub fn of(config: &CompareConfig, subjects: &[Subject]) -> Self {
+        let methods = config.methods().iter().map(|choice| MethodKey {
+            name: choice.entry.info().name.to_owned(),
+            options: OptionSettings::from(&choice.options),
+        });
+        let meshes = subjects.iter().map(|subject| MeshKey {
+            name: subject.mesh.name.clone(),
+            drawn: contents(subject.mesh.mesh.mesh()),
+            truth: subject.truth.as_deref().map(contents),
+        });
+        Self {
+            program: program(),
+            name: config.scene().name.clone(),
+            scene: Scene { name: String::new(), ..config.scene().clone() },
+            methods: methods.collect(),
+            meshes: meshes.collect(),
+        }
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> usize {
+        self.methods.len() * self.meshes.len()
+    }
+
+    /// Eight hexadecimal digits that differ, almost always, where keys do.
+    pub fn digest(&self) -> String {
+        let text = serde_json::to_vec(self).unwrap_or_default();
+        format!("{:08x}", crc32fast::hash(&text))
+    }
+}
+
+fn contents(mesh: &TriangleMesh) -> [u64; 3] {
+    let mut hasher = crc32fast::Hasher::new();
+    for position in mesh.positions() {
+        position.to_array().iter().for_each(|value| hasher.update(&value.to_le_bytes()));
+    }
+    for triangle in mesh.triangles() {
+        triangle.iter().for_each(|vertex| hasher.update(&vertex.to_le_bytes()));
+    }
+    [mesh.vertex_count() as u64, mesh.face_count() as u64, hasher.finalize().into()]
+}
