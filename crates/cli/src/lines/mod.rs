@@ -1,6 +1,7 @@
 //! `silhouettes lines`: visible and hidden lines as SVG for plotters, as JSON, or as glTF.
 
 mod arguments;
+mod format;
 mod quick;
 mod smooth;
 mod stats;
@@ -8,6 +9,7 @@ mod stats;
 pub use arguments::LinesArguments;
 
 use arguments::HealDistance;
+use format::{Format, PageFormat};
 
 use crate::failure::{Failure, note};
 use crate::input;
@@ -16,18 +18,9 @@ use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
-use silhouette_visibility::plot::{self, GltfContainer, PlotError, PlotOptions};
+use silhouette_visibility::plot::{self, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
-use std::path::Path;
 use std::time::Instant;
-
-/// The formats that lines are written in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    Svg,
-    Json,
-    Gltf(GltfContainer),
-}
 
 /// Runs the command.
 pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
@@ -41,7 +34,7 @@ pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
 }
 
 fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
-    let format = format_of(arguments.output.as_deref())?;
+    let format = Format::of(arguments.output.as_deref())?;
     let options = arguments.plot_options()?;
     let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
     let output = Output::create(arguments.output.as_deref(), &inputs)?;
@@ -76,10 +69,14 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let mut bytes = Vec::new();
     let mut drawing = None;
     match format {
-        Format::Svg => {
+        Format::Page(format) => {
             let drawing = drawing.insert(plot::plot(&lines, &options, &progress).map_err(of_plotting)?);
             tell_what_is_cut_off(drawing, &options);
-            drawing.write_svg(&format!("Lines of {names}"), &mut bytes).map_err(Failure::run)?;
+            let title = format!("Lines of {names}");
+            let written = match format {
+                PageFormat::Svg => drawing.write_svg(&title, &mut bytes),
+            };
+            written.map_err(Failure::run)?;
         }
         Format::Json => bytes = json(&lines, &options, &scene, &meshes, &progress)?,
         Format::Gltf(container) => {
@@ -204,19 +201,5 @@ fn of_finding(names: &str, error: LineError) -> Failure {
     match error {
         LineError::Cancelled(error) => error.into(),
         other => Failure::Input(format!("{names}: {other}")),
-    }
-}
-
-fn format_of(path: Option<&Path>) -> Result<Format, Failure> {
-    let Some(path) = path else { return Ok(Format::Svg) };
-    match path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("svg") => Ok(Format::Svg),
-        Some("json") => Ok(Format::Json),
-        Some("gltf") => Ok(Format::Gltf(GltfContainer::Text)),
-        Some("glb") => Ok(Format::Gltf(GltfContainer::Binary)),
-        _ => Err(Failure::Input(format!(
-            "{}: unknown kind of output; end its name in .svg, .json, .gltf or .glb",
-            path.display()
-        ))),
     }
 }
