@@ -20,17 +20,32 @@ pub enum Format {
 pub enum PageFormat {
     /// With Inkscape layers.
     Svg,
+    /// With optional content groups.
+    Pdf,
+    /// For CAD programs and cutters.
+    Dxf,
+    /// For pen plotters.
+    Hpgl,
 }
 
 /// All formats by what follows the last full stop of a file's name.
-const ENDS: [(&str, Format); 4] = [
+const ENDS: [(&str, Format); 8] = [
     ("svg", Format::Page(PageFormat::Svg)),
+    ("pdf", Format::Page(PageFormat::Pdf)),
+    ("dxf", Format::Page(PageFormat::Dxf)),
+    ("hpgl", Format::Page(PageFormat::Hpgl)),
+    ("plt", Format::Page(PageFormat::Hpgl)),
     ("json", Format::Json),
     ("gltf", Format::Gltf(GltfContainer::Text)),
     ("glb", Format::Gltf(GltfContainer::Binary)),
 ];
 
 impl Format {
+    /// Whether areas are filled in it.
+    pub const fn fills(self) -> bool {
+        matches!(self, Self::Page(PageFormat::Svg | PageFormat::Pdf | PageFormat::Dxf))
+    }
+
     /// The format of a file of this name; that of standard output where there is none.
     pub fn of(path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Page(PageFormat::Svg)) };

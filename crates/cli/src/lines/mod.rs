@@ -1,8 +1,9 @@
-//! `silhouettes lines`: visible and hidden lines as SVG for plotters, as JSON, or as glTF.
+//! `silhouettes lines`: visible and hidden lines as SVG, PDF, DXF or HP-GL, as JSON, or as glTF.
 
 mod arguments;
 mod format;
 mod quick;
+mod section;
 mod smooth;
 mod stats;
 
@@ -17,6 +18,7 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
+use silhouette_core::mesh::Bounds;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
@@ -37,15 +39,19 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let format = Format::of(arguments.output.as_deref())?;
     let options = arguments.plot_options()?;
     let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
+    if options.fill.is_some() && !format.fills() {
+        note("--fill: only SVG, PDF and DXF have fills; nothing is filled");
+    }
     let output = Output::create(arguments.output.as_deref(), &inputs)?;
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
-    let meshes = meshes(arguments, &progress)?;
+    let mut meshes = meshes(arguments, &progress)?;
     let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+    let bounds = bounds(&meshes).ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
+    let section_edges = section::cut(&mut meshes, arguments.sections(), &names)?;
     let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
-    let bounds = scene.mesh().mesh().bounds();
-    let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
+    let scene = scene.with_section_edges(section_edges).map_err(Failure::input)?;
     let camera = arguments.camera.camera(&bounds)?;
     options.check(&camera).map_err(of_plotting)?;
     let load = started.elapsed();
@@ -75,6 +81,9 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
             let title = format!("Lines of {names}");
             let written = match format {
                 PageFormat::Svg => drawing.write_svg(&title, &mut bytes),
+                PageFormat::Pdf => drawing.write_pdf(&title, &mut bytes),
+                PageFormat::Dxf => drawing.write_dxf(&mut bytes),
+                PageFormat::Hpgl => drawing.write_hpgl(&mut bytes),
             };
             written.map_err(Failure::run)?;
         }
@@ -87,6 +96,15 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
         stats::print(&stats::Report { load, prepare, lines: &lines, drawing: drawing.as_ref(), bytes: bytes.len() });
     }
     output.write(&bytes)
+}
+
+/// What the meshes span together, before they are cut, so that pictures with and without a section lie upon each other.
+fn bounds(meshes: &[(String, LabelledMesh)]) -> Option<Bounds> {
+    let places = meshes.iter().flat_map(|(_, loaded)| {
+        let mesh = &loaded.mesh;
+        mesh.triangles().iter().flatten().map(|&vertex| mesh.positions()[vertex as usize])
+    });
+    Bounds::of(places)
 }
 
 /// The meshes with their names, welded and healed if that is asked for.

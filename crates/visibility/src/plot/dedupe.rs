@@ -2,7 +2,7 @@
 
 use super::drawn::DrawnSegments;
 use super::paths::{Path, Paths, Segment};
-use super::svg::printed;
+use super::decimal::printed;
 use std::collections::HashSet;
 
 /// A segment as the file would print it, whichever way it runs: both ends and both handles.
