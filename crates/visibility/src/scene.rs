@@ -94,7 +94,14 @@ impl Extent {
 impl LineScene {
     /// One mesh, object 0.
     pub fn new(mesh: Arc<PreparedMesh>) -> Self {
-        Self { mesh, object_starts: vec![0], labels: None, section_edges: Vec::new(), curves: Vec::new(), fingerprint: OnceLock::new() }
+        Self {
+            mesh,
+            object_starts: vec![0],
+            labels: None,
+            section_edges: Vec::new(),
+            curves: Vec::new(),
+            fingerprint: OnceLock::new(),
+        }
     }
 
     /// Several meshes in one space, each an object of its own. Ids of edges and faces are those of the meshes set one after
@@ -103,19 +110,21 @@ impl LineScene {
     /// # Errors
     /// [`SceneError::Mesh`] if together they are too large.
     pub fn of_meshes(meshes: &[&TriangleMesh]) -> Result<Self, SceneError> {
-        let (mut positions, mut triangles, mut object_starts) = (Vec::new(), Vec::new(), Vec::new());
-        for mesh in meshes {
-            // Beyond 32 bits the sum wraps, and the size check of the whole refuses the scene.
-            let first = positions.len() as u32;
-            object_starts.push(triangles.len() as u32);
-            positions.extend_from_slice(mesh.positions());
-            triangles.extend(mesh.triangles().iter().map(|corners| corners.map(|corner| corner.wrapping_add(first))));
-        }
+        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::of_parts(meshes)?));
+        let counts = meshes.iter().map(|mesh| mesh.face_count() as u32);
+        let starts = counts.scan(0, |next, count| Some(std::mem::replace(next, *next + count)));
+        let mut object_starts: Vec<u32> = starts.collect();
         if object_starts.is_empty() {
             object_starts.push(0);
         }
-        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(positions, triangles)?));
-        Ok(Self { mesh, object_starts, labels: None, section_edges: Vec::new(), curves: Vec::new(), fingerprint: OnceLock::new() })
+        Ok(Self {
+            mesh,
+            object_starts,
+            labels: None,
+            section_edges: Vec::new(),
+            curves: Vec::new(),
+            fingerprint: OnceLock::new(),
+        })
     }
 
     /// The same scene with a label for each face, such as its material: lines are drawn between faces of different labels.

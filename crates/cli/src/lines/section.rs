@@ -12,33 +12,30 @@ pub fn cut(
     planes: &[SectionPlane],
     names: &str,
 ) -> Result<Vec<[VertexId; 2]>, Failure> {
+    if planes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut parts: Vec<_> = meshes.iter().map(|(_, loaded)| SectionedMesh::whole(loaded.mesh.clone())).collect();
     for plane in planes {
-        if !meshes.iter().any(|(_, loaded)| plane.takes_from(&loaded.mesh)) {
-            note(format!("{names}: --section {plane} takes nothing away; the plane does not pass through it, or the normal points away"));
+        if !parts.iter().any(|part| plane.takes_from(&part.mesh)) {
+            note(format!("{names}: --section {plane} takes nothing away: all lies on the side that stays"));
+        }
+        parts = parts.into_iter().map(|part| part.cut(plane)).collect::<Result<_, _>>().map_err(Failure::input)?;
+        if parts.iter().all(|part| part.mesh.face_count() == 0) {
+            let mend = "its normal points to what is taken away; move the plane or turn its normal round";
+            return Err(Failure::Input(format!("{names}: --section {plane} leaves nothing: {mend}")));
         }
     }
-    let (mut edges, mut first) = (Vec::new(), 0);
-    for (_, loaded) in meshes.iter_mut() {
-        edges.extend(cut_one(loaded, planes)?.into_iter().map(|ends| ends.map(|end| VertexId::new(end.get() + first))));
+    let (mut edges, mut first) = (Vec::new(), 0_u32);
+    for ((_, loaded), part) in meshes.iter_mut().zip(parts) {
         // Beyond 32 bits the sum wraps, and the size check of the whole refuses the scene.
-        first = first.wrapping_add(loaded.mesh.vertex_count() as u32);
-    }
-    let is_empty = meshes.iter().all(|(_, loaded)| loaded.mesh.face_count() == 0);
-    if let (true, Some(plane)) = (is_empty, planes.last()) {
-        let mend = "turn its normal round, as it points to what is taken away";
-        return Err(Failure::Input(format!("{names}: --section {plane} leaves nothing; {mend}")));
+        let of_scene = |end: VertexId| VertexId::new(end.get().wrapping_add(first));
+        edges.extend(part.edges.iter().map(|ends| ends.map(of_scene)));
+        first = first.wrapping_add(part.mesh.vertex_count() as u32);
+        if let Some(labels) = &mut loaded.labels {
+            *labels = part.face_of.iter().map(|face| labels[face.index()]).collect();
+        }
+        loaded.mesh = part.mesh;
     }
     Ok(edges)
-}
-
-fn cut_one(loaded: &mut LabelledMesh, planes: &[SectionPlane]) -> Result<Vec<[VertexId; 2]>, Failure> {
-    let mut sectioned = SectionedMesh::whole(loaded.mesh.clone());
-    for plane in planes {
-        sectioned = sectioned.cut(plane).map_err(Failure::input)?;
-    }
-    if let Some(labels) = &mut loaded.labels {
-        *labels = sectioned.face_of.iter().map(|face| labels[face.index()]).collect();
-    }
-    loaded.mesh = sectioned.mesh;
-    Ok(sectioned.edges)
 }

@@ -41,7 +41,8 @@ impl Drawing {
     pub fn write_pdf(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
         let names: Vec<String> = self.group_names().collect();
         let group = |index: usize| Ref::new(FIRST_GROUP + index as i32);
-        let sides = [self.placement.width, self.placement.height].map(|side| side * self.placement.mm() * POINTS_PER_MM);
+        let sides =
+            [self.placement.width, self.placement.height].map(|side| side * self.placement.mm() * POINTS_PER_MM);
         let unit = (sides[0].max(sides[1]) / MAX_SIDE).max(1.0);
         let content = self.content(sides[1] / unit, POINTS_PER_MM / unit);
 

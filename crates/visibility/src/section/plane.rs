@@ -16,7 +16,9 @@ pub struct SectionPlane {
 
 /// What is no plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("expected six numbers X,Y,Z,NX,NY,NZ: a point of the plane and a normal other than 0, towards what is taken away")]
+#[error(
+    "expected six numbers X,Y,Z,NX,NY,NZ: a point of the plane and a normal other than 0, towards what is taken away"
+)]
 pub struct ParseSectionPlaneError;
 
 impl SectionPlane {
@@ -91,7 +93,16 @@ mod tests {
         let plane: SectionPlane = "0, 1,-2.5,0,0,1e-3".parse().unwrap();
         assert_eq!(plane, SectionPlane::new(Vec3::new(0.0, 1.0, -2.5), Vec3::Z * 1e-3).unwrap());
         assert_eq!(plane.to_string().parse(), Ok(plane));
-        for bad in ["", "1,2,3", "0,0,0,0,0,0", "0,0,0,0,0,nan", "inf,0,0,0,0,1", "0,0,0,0,0,1,2", "a,0,0,0,0,1", "0,0,0,0,0,1e99"] {
+        for bad in [
+            "",
+            "1,2,3",
+            "0,0,0,0,0,0",
+            "0,0,0,0,0,nan",
+            "inf,0,0,0,0,1",
+            "0,0,0,0,0,1,2",
+            "a,0,0,0,0,1",
+            "0,0,0,0,0,1e99",
+        ] {
             assert_eq!(bad.parse::<SectionPlane>(), Err(ParseSectionPlaneError), "{bad}");
         }
     }
@@ -107,10 +118,15 @@ mod tests {
     #[test]
     fn crossings_lie_on_the_edge_whichever_end_comes_first() {
         let plane = SectionPlane::new(Vec3::new(0.3, 0.1, 0.7), Vec3::new(-0.2, 0.9, 0.4)).unwrap();
-        for (a, b) in [(Vec3::NEG_ONE, Vec3::new(2.0, 1.0, 0.5)), (Vec3::new(0.0, 1e6, 0.0), Vec3::new(-0.0, -1e-3, 0.0))] {
+        for (a, b) in
+            [(Vec3::NEG_ONE, Vec3::new(2.0, 1.0, 0.5)), (Vec3::new(0.0, 1e6, 0.0), Vec3::new(-0.0, -1e-3, 0.0))]
+        {
             let crossing = plane.crossing(a, b);
             assert_eq!(crossing.to_array().map(f32::to_bits), plane.crossing(b, a).to_array().map(f32::to_bits));
-            assert!(plane.height(crossing).abs() <= 1e-6 * plane.height(a).abs().max(plane.height(b).abs()), "{crossing}");
+            assert!(
+                plane.height(crossing).abs() <= 1e-6 * plane.height(a).abs().max(plane.height(b).abs()),
+                "{crossing}"
+            );
         }
     }
 }

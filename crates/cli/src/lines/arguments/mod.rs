@@ -13,8 +13,8 @@ use crate::winding::OrientArgument;
 use clap::Args;
 use page::PageArguments;
 use pens::PenArguments;
-use silhouette_visibility::{LineOptions, SectionPlane};
 use silhouette_visibility::plot::{Hidden, Length, PlotOptions, Unit};
+use silhouette_visibility::{LineOptions, SectionPlane};
 use std::path::PathBuf;
 use which::{HiddenArgument, OutlineArgument, WhichLines};
 

@@ -52,7 +52,9 @@ mod tests {
 
     #[test]
     fn pens_have_their_nearest_neighbours() {
-        for (width, expected) in [(0.0, 0), (0.18, 18), (0.35, 35), (0.5, 50), (0.7, 70), (0.22, 20), (0.45, 50), (9.0, 211)] {
+        for (width, expected) in
+            [(0.0, 0), (0.18, 18), (0.35, 35), (0.5, 50), (0.7, 70), (0.22, 20), (0.45, 50), (9.0, 211)]
+        {
             assert_eq!(weight(width), expected, "{width}");
         }
         for (colour, number, rgb) in [

@@ -21,8 +21,14 @@ const TABLES_BEFORE: [(&str, &str, &[(&str, Record<'_>)]); 1] = [(
     "LTYPE",
     "5",
     &[
-        ("14", &[(100, "AcDbLinetypeTableRecord"), (2, "ByBlock"), (70, "0"), (3, ""), (72, "65"), (73, "0"), (40, "0")]),
-        ("15", &[(100, "AcDbLinetypeTableRecord"), (2, "ByLayer"), (70, "0"), (3, ""), (72, "65"), (73, "0"), (40, "0")]),
+        (
+            "14",
+            &[(100, "AcDbLinetypeTableRecord"), (2, "ByBlock"), (70, "0"), (3, ""), (72, "65"), (73, "0"), (40, "0")],
+        ),
+        (
+            "15",
+            &[(100, "AcDbLinetypeTableRecord"), (2, "ByLayer"), (70, "0"), (3, ""), (72, "65"), (73, "0"), (40, "0")],
+        ),
         (
             "16",
             &[
@@ -64,7 +70,12 @@ const TABLES_AFTER: [(&str, &str, &[(&str, Record<'_>)]); 4] = [
 ];
 
 /// Everything before the entities, for a page of this size in its own unit.
-pub fn head(groups: &mut Groups<'_>, [width, height]: [f64; 2], layers: &[LayerRecord], entities: usize) -> io::Result<()> {
+pub fn head(
+    groups: &mut Groups<'_>,
+    [width, height]: [f64; 2],
+    layers: &[LayerRecord],
+    entities: usize,
+) -> io::Result<()> {
     let corners = [DVec2::new(0.0, height), DVec2::new(width, 0.0)];
     // The layers' handles, too, are given out.
     let seed = FIRST_HANDLE as usize + layers.len() + entities;
@@ -112,7 +123,14 @@ fn header(groups: &mut Groups<'_>, [low, high]: [DVec2; 2], seed: usize) -> io::
         groups.put(9, variable)?;
         groups.put_place(10, place)?;
     }
-    groups.put_all(&[(9, "$INSUNITS"), (70, MILLIMETRES), (9, "$MEASUREMENT"), (70, "1"), (9, "$LWDISPLAY"), (290, "1")])?;
+    groups.put_all(&[
+        (9, "$INSUNITS"),
+        (70, MILLIMETRES),
+        (9, "$MEASUREMENT"),
+        (70, "1"),
+        (9, "$LWDISPLAY"),
+        (290, "1"),
+    ])?;
     groups.put(9, "$HANDSEED")?;
     groups.put(5, format_args!("{seed:X}"))?;
     groups.end_section()
@@ -143,7 +161,17 @@ fn viewport(groups: &mut Groups<'_>, [low, high]: [DVec2; 2]) -> io::Result<()> 
     groups.put_all(&[(16, "0"), (26, "0"), (36, "1"), (17, "0"), (27, "0"), (37, "0")])?;
     groups.put_length(40, low.y - high.y)?;
     groups.put(41, number((high.x - low.x) / (low.y - high.y)))?;
-    groups.put_all(&[(42, "50"), (43, "0"), (44, "0"), (50, "0"), (51, "0"), (71, "0"), (72, "1000"), (73, "1"), (74, "3")])?;
+    groups.put_all(&[
+        (42, "50"),
+        (43, "0"),
+        (44, "0"),
+        (50, "0"),
+        (51, "0"),
+        (71, "0"),
+        (72, "1000"),
+        (73, "1"),
+        (74, "3"),
+    ])?;
     groups.put(0, "ENDTAB")
 }
 
@@ -177,7 +205,14 @@ fn dimension_styles(groups: &mut Groups<'_>) -> io::Result<()> {
 }
 
 fn block(groups: &mut Groups<'_>, name: &str, record: &str, [begin, end]: [&str; 2]) -> io::Result<()> {
-    groups.put_all(&[(0, "BLOCK"), (5, begin), (330, record), (100, "AcDbEntity"), (8, "0"), (100, "AcDbBlockBegin")])?;
+    groups.put_all(&[
+        (0, "BLOCK"),
+        (5, begin),
+        (330, record),
+        (100, "AcDbEntity"),
+        (8, "0"),
+        (100, "AcDbBlockBegin"),
+    ])?;
     groups.put_all(&[(2, name), (70, "0"), (10, "0"), (20, "0"), (30, "0"), (3, name), (1, "")])?;
     groups.put_all(&[(0, "ENDBLK"), (5, end), (330, record), (100, "AcDbEntity"), (8, "0"), (100, "AcDbBlockEnd")])
 }
