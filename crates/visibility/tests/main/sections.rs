@@ -2,13 +2,13 @@
 
 use crate::scenes::framing;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::{NoProgress, TriangleMesh};
+use silhouette_core::{FaceId, NoProgress, Topology, TriangleMesh, VertexId};
 use silhouette_testing::edits::{joined, moved};
 use silhouette_testing::random::Random;
 use silhouette_testing::real_meshes::real_meshes;
 use silhouette_testing::zoo::{self, builtin};
 use silhouette_visibility::{
-    Chain, LineFinder, LineKind, LineOptions, LineScene, SceneError, SectionPlane, SectionedMesh,
+    Chain, LineFinder, LineKind, LineOptions, LineScene, Lines, SceneError, SectionPlane, SectionedMesh,
 };
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::PI;
@@ -56,7 +56,7 @@ fn enclosed(section: &SectionedMesh, plane: &SectionPlane) -> f64 {
     let normal = plane.normal().as_dvec3().normalize();
     let is_cut = |ends: [u32; 2]| {
         let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        section.edges.binary_search_by(|edge| edge.map(|end| end.get()).cmp(&ends)).is_ok()
+        section.edges.binary_search_by(|edge| edge.map(VertexId::get).cmp(&ends)).is_ok()
     };
     let at = |vertex: u32| section.mesh.positions()[vertex as usize].as_dvec3() - plane.point().as_dvec3();
     let sides = section.mesh.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
@@ -71,8 +71,7 @@ fn middle(mesh: &TriangleMesh) -> Vec3 {
 /// Along axes and aslant, through the middle and through vertices.
 fn planes(mesh: &TriangleMesh, random: &mut Random) -> Vec<SectionPlane> {
     let normals = [Vec3::X, Vec3::NEG_Y, Vec3::Z, Vec3::new(1.0, 2.0, -0.5), Vec3::new(-0.3, 0.2, 1.0)];
-    let vertex =
-        |random: &mut Random| mesh.corners(silhouette_core::FaceId::from_usize(random.below(mesh.face_count())))[0];
+    let vertex = |random: &mut Random| mesh.corners(FaceId::from_usize(random.below(mesh.face_count())))[0];
     normals.into_iter().flat_map(|normal| [plane(middle(mesh), normal), plane(vertex(random), normal)]).collect()
 }
 
@@ -82,7 +81,7 @@ fn closed_meshes_are_cut_in_closed_polygons() {
     let mut cuts = 0;
     let closed = zoo::closed().into_iter().map(|(name, mesh)| (name.to_owned(), mesh));
     for (name, mesh) in closed.chain(real_meshes("closed_meshes_are_cut_in_closed_polygons")) {
-        let topology = silhouette_core::Topology::new(&mesh);
+        let topology = Topology::new(&mesh);
         if topology.boundary_edge_count() + topology.non_manifold_edge_count() > 0 || mesh.face_count() == 0 {
             continue;
         }
@@ -190,15 +189,14 @@ fn faces_in_the_plane_stay_with_the_solid_that_they_bound() {
             assert_eq!(loose_ends(&cut(&mesh, &plane(Vec3::Y * height, Vec3::Y))), 0);
         }
     }
-    let sheet = builtin("grid:4,4");
-    let flat = sheet.positions()[0];
-    let axis = [Vec3::X, Vec3::Y, Vec3::Z]
-        .into_iter()
-        .find(|axis| sheet.positions().iter().all(|p| p.dot(*axis) == flat.dot(*axis)));
-    if let Some(axis) = axis {
-        for normal in [axis, -axis] {
-            assert_eq!(cut(&sheet, &plane(flat, normal)).mesh.face_count(), sheet.face_count());
-        }
+    // A sheet that lies in the plane is on neither side.
+    let corners = vec![Vec3::Y, Vec3::new(1.0, 1.0, 0.0), Vec3::ONE, Vec3::new(0.0, 1.0, 1.0)];
+    let sheet = TriangleMesh::new(corners, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+    let with_box = joined(&[&sheet, &moved(&builtin("cube"), Vec3::X * 9.0)]);
+    for normal in [Vec3::Y, Vec3::NEG_Y] {
+        let by = plane(Vec3::Y, normal);
+        assert_eq!(cut(&sheet, &by).mesh, sheet);
+        assert!(cut(&with_box, &by).face_of.starts_with(&[FaceId::new(0), FaceId::new(1)]));
     }
 }
 
@@ -248,7 +246,7 @@ fn each_plane_cuts_further() {
     assert!((ratio - (PI - f64::from(angle)) / (2.0 * PI)).abs() < 0.01, "{ratio}");
     // Two arcs of half a circle each, which meet in two points.
     let length = |section: &SectionedMesh| -> f64 {
-        let at = |end: silhouette_core::VertexId| section.mesh.positions()[end.index()].as_dvec3();
+        let at = |end: VertexId| section.mesh.positions()[end.index()].as_dvec3();
         section.edges.iter().map(|[a, b]| at(*a).distance(at(*b))).sum()
     };
     assert!((length(&half) / (2.0 * PI) - 1.0).abs() < 0.01 && (length(&quarter) / (2.0 * PI) - 1.0).abs() < 0.01);
@@ -292,10 +290,10 @@ fn sections_are_seen_as_lines_of_their_own_kind() {
     assert!(without.chains.iter().all(|chain| chain.style.kind != LineKind::Section));
     // From the other side the corner hides most of it.
     let behind = find(-DVec3::new(1.0, 1.1, 0.9), &LineOptions::default());
-    let length = |lines: &silhouette_visibility::Lines| -> f64 {
+    let length = |lines: &Lines| -> f64 {
         lines.chains.iter().filter(|c| c.style.kind == LineKind::Section).map(|c| c.length_px()).sum()
     };
     assert!(length(&behind) < length(&lines), "{} of {}", length(&behind), length(&lines));
-    let bad = vec![[silhouette_core::VertexId::new(0), silhouette_core::VertexId::new(999)]];
+    let bad = vec![[VertexId::new(0), VertexId::new(999)]];
     assert_eq!(scene.with_section_edges(bad).unwrap_err(), SceneError::Section { edge: 0 });
 }

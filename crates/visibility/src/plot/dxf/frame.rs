@@ -14,10 +14,13 @@ const BLOCK_TABLE: &str = "1";
 const STANDARD_STYLE: &str = "11";
 const ROOT_DICTIONARY: &str = "C";
 
+/// Groups of a record.
 type Record<'a> = &'a [(u16, &'a str)];
+/// A table: its name, its handle, and each record's handle and groups.
+type Table<'a> = (&'a str, &'a str, &'a [(&'a str, Record<'a>)]);
 
-/// The tables besides that of layers: name, handle, and each record's handle and groups.
-const TABLES_BEFORE: [(&str, &str, &[(&str, Record<'_>)]); 1] = [(
+/// What stands before the table of layers.
+const TABLES_BEFORE: [Table<'_>; 1] = [(
     "LTYPE",
     "5",
     &[
@@ -44,7 +47,8 @@ const TABLES_BEFORE: [(&str, &str, &[(&str, Record<'_>)]); 1] = [(
     ],
 )];
 
-const TABLES_AFTER: [(&str, &str, &[(&str, Record<'_>)]); 4] = [
+/// What stands after it.
+const TABLES_AFTER: [Table<'_>; 4] = [
     (
         "STYLE",
         "3",
