@@ -53,16 +53,20 @@ pub enum Command {
         consistently wound faces, edges that the mesh's file calls sharp, and creases. It is read back as a mesh with sharp\n\
         edges. docs/formats/glb-edges.md describes it.")]
     Extract(ExtractArguments),
-    /// Draw visible lines, hidden ones removed, as SVG for plotters; also JSON and glTF
+    /// Draw visible lines, hidden ones removed, as SVG for plotters, PDF, DXF or HP-GL; also JSON and glTF
     #[command(after_help = "Examples:\n  \
         silhouettes lines bunny.obj -o bunny.svg\n  \
         silhouettes lines part.stl --creases 30 --hidden --page a3 --landscape --width 0.3mm -o part.svg\n  \
         silhouettes lines part.stl --ortho fit --view front --scale 1 -o part-1-to-1.svg\n  \
         silhouettes lines house.obj tree.obj --units px --size 1600x900 --stats -o scene.svg\n  \
         silhouettes lines part.stl --hidden -o part.json\n  \
-        silhouettes lines coarse.obj --smooth -o smooth.svg\n\n\
-        Kinds: silhouette, boundary, ridge, valley, material, intersection, curve (with --smooth), mesh; for pens also outline.\n\
-        An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart.\n\
+        silhouettes lines coarse.obj --smooth -o smooth.svg\n  \
+        silhouettes lines part.stl --ortho fit --view front --creases 30 -o part.dxf\n  \
+        silhouettes lines part.stl --section 0,0,5,0,0,1 --view iso --creases 30 --fill '#eee' -o open.pdf\n\n\
+        Kinds: section, silhouette, boundary, ridge, valley, material, intersection, curve (with --smooth), mesh; for pens also outline.\n\
+        An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart; PDF: an optional\n\
+        content group; DXF (of AutoCAD 2004, in millimetres, y up): a layer such as silhouette-visible; HP-GL: a pen, numbered from 1.\n\
+        SVG, PDF and DXF hold curves, HP-GL chords within 1/80 mm.\n\
         JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\
         \"edges\": [[a,b]...], \"points\": [[x,y,z]...], \"pixels\": [[x,y]...]}...], \"outline\"}.\n\
         Chains along smooth curves have no edges but \"curves\", a number for each piece of curve, and \"handles\".")]
@@ -73,6 +77,7 @@ pub enum Command {
         silhouettes render bunny.obj --method image-precision --set variant=scale --set scale=0.97 -o bunny.png\n  \
         silhouettes render builtin:knot --view iso --size 512x512 --width 2 -o knot.png\n  \
         silhouettes render bunny.obj --method image-precision --transparent -o lines.png\n  \
+        silhouettes render house.obj tree.obj --method edge-mesh -o scene.png\n  \
         silhouettes render bunny.obj --method fine-mesh -o surface.png\n  \
         silhouettes render bunny.siltex --method texture -o bunny.png")]
     Render(RenderArguments),
@@ -199,8 +204,10 @@ pub struct ExtractArguments {
 /// Arguments of `render`.
 #[derive(Debug, Args)]
 pub struct RenderArguments {
-    /// Mesh file or builtin:NAME; for the methods of silhouette textures also a .siltex file
-    pub mesh: String,
+    /// Mesh files or builtin:NAME; several are drawn together, in one space, and hide each other; for the methods of silhouette
+    /// textures also one .siltex file
+    #[arg(required = true, value_name = "MESH")]
+    pub meshes: Vec<String>,
     #[command(flatten)]
     pub method: MethodArguments,
     /// Width of the pen in pixels

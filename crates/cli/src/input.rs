@@ -9,7 +9,7 @@ use silhouette_compare::scene::BUILTIN;
 use silhouette_core::load::{self, Format, LabelledMesh, Note};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
-use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
+use silhouette_core::{PreparedMesh, Progress, TriangleMesh, VertexId, shapes};
 use silhouette_texture::{Textures, siltex};
 use std::io::Read as _;
 use std::path::Path;
@@ -58,26 +58,50 @@ pub fn weld(loaded: &mut LabelledMesh, distance: f32) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same for what `method` is to draw: a `.siltex` file, too, is a mesh for methods that draw silhouette textures, that of
-/// its hull.
+/// What `method` is to draw: one mesh, or several as one, each with its own vertices and edges. A `.siltex` file, too, is a mesh for
+/// methods that draw silhouette textures, that of its hull.
 pub fn drawable(
-    argument: &str,
+    arguments: &[&str],
     method: &Entry,
     winding: Winding,
     progress: &dyn Progress,
 ) -> Result<NamedMesh, Failure> {
-    let path = Path::new(argument);
-    if argument.starts_with(BUILTIN)
-        || path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("siltex"))
-    {
-        return mesh(argument, winding, progress);
+    if let Some(argument) = arguments.iter().find(|argument| is_texture(argument)) {
+        return match arguments.len() {
+            1 => hull_of_texture(argument, method),
+            _ => Err(Failure::Input(format!("{argument}: a silhouette texture is drawn alone; name no other mesh"))),
+        };
     }
+    let mut parts =
+        arguments.iter().map(|argument| labelled(argument, winding, progress)).collect::<Result<Vec<_>, _>>()?;
+    if parts.len() == 1 {
+        let (name, loaded) = parts.remove(0);
+        return Ok(prepared(name, loaded));
+    }
+    let name = parts.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+    let meshes: Vec<&TriangleMesh> = parts.iter().map(|(_, loaded)| &loaded.mesh).collect();
+    let mesh = TriangleMesh::of_parts(&meshes).map_err(Failure::input)?;
+    let (mut feature_edges, mut first) = (Vec::new(), 0);
+    for (_, loaded) in &parts {
+        feature_edges.extend(loaded.feature_edges.iter().map(|edge| edge.map(|vertex| vertex + first)));
+        first += loaded.mesh.vertex_count() as u32;
+    }
+    Ok(prepared(name, LabelledMesh { mesh, labels: None, feature_edges, notes: Vec::new() }))
+}
+
+fn is_texture(argument: &str) -> bool {
+    let extension = Path::new(argument).extension();
+    !argument.starts_with(BUILTIN) && extension.is_some_and(|extension| extension.eq_ignore_ascii_case("siltex"))
+}
+
+fn hull_of_texture(argument: &str, method: &Entry) -> Result<NamedMesh, Failure> {
     if !method.info().needs.contains(&Textures::NAME) {
         return Err(Failure::Input(format!(
             "{argument}: --method {} draws no silhouette textures; choose texture, texture-lines or normal-map-hull",
             method.info().name
         )));
     }
+    let path = Path::new(argument);
     let texture = siltex::read(path).map_err(Failure::input)?.texture;
     let hull = Arc::clone(texture.parts().hull.mesh());
     let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(texture));
@@ -174,8 +198,7 @@ fn tell_apart(meshes: &mut [NamedMesh], arguments: &[String]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh};
-    use std::sync::Arc;
+    use silhouette_core::NoProgress;
 
     #[test]
     fn feature_edges_of_a_file_reach_the_prepared_mesh() {

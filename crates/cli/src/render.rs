@@ -1,4 +1,4 @@
-//! `silhouettes render`: the picture of one method as a PNG.
+//! `silhouettes render`: the picture of one method as a PNG, of one mesh or of several that hide each other.
 
 use crate::args::RenderArguments;
 use crate::failure::{self, Failure};
@@ -29,9 +29,10 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let ground = if arguments.transparent { Ground::Transparent } else { Ground::Paper };
     let words = on_ground(entry, ground).into_iter().chain(arguments.method.set.iter().map(String::as_str));
     let options = OptionValues::parse(entry.info().options, words)?;
-    let output = Output::create(Some(path), &[&arguments.mesh])?;
+    let inputs: Vec<&str> = arguments.meshes.iter().map(String::as_str).collect();
+    let output = Output::create(Some(path), &inputs)?;
     let progress = TerminalProgress::new();
-    let named = input::drawable(&arguments.mesh, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
+    let named = input::drawable(&inputs, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
     let (size, pen_width_px) = (camera.size(), arguments.width);

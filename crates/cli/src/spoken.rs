@@ -6,9 +6,10 @@ use std::ffi::OsString;
 type IsValue = fn(&str) -> bool;
 
 /// Options of which a value may be left out, and what is one.
-const OPTIONAL: [(&str, IsValue); 4] = [
+const OPTIONAL: [(&str, IsValue); 5] = [
     ("--hidden", |word| ["drop", "dashed", "solid"].contains(&word)),
     ("--outline", |word| ["with", "only"].contains(&word)),
+    ("--fill", |word| csscolorparser::parse(word).is_ok()),
     ("--weld", is_number),
     ("--heal", |word| word == "auto" || is_number(word)),
 ];
@@ -52,6 +53,7 @@ mod tests {
         assert_eq!(of("lines --hidden a.obj --weld 0.01"), "lines --hidden a.obj --weld=0.01");
         assert_eq!(of("lines --outline only --heal auto b.obj"), "lines --outline=only --heal=auto b.obj");
         assert_eq!(of("lines --hidden=solid dashed"), "lines --hidden=solid dashed");
+        assert_eq!(of("lines --fill #eee a.obj --fill b.obj"), "lines --fill=#eee a.obj --fill b.obj");
         assert_eq!(of("lines -- --hidden dashed"), "lines -- --hidden dashed");
     }
 }

@@ -185,7 +185,7 @@ fn outputs_that_cannot_be_written() {
     assert!(refused(&["extract", &mesh, "-o", into_missing.to_str().unwrap()]).contains("missing"));
     fs::create_dir(folder.path("x.json")).unwrap();
     assert!(refused(&["extract", &mesh, "-o", folder.path("x.json").to_str().unwrap()]).contains("directory"));
-    assert!(refused(&["extract", &mesh, "-o", folder.path("x.pdf").to_str().unwrap()]).contains(".svg"));
+    assert!(refused(&["extract", &mesh, "-o", folder.path("x.dwg").to_str().unwrap()]).contains(".svg"));
     assert!(refused(&["render", &mesh, "-o", folder.path("x.jpg").to_str().unwrap()]).contains(".png"));
     assert!(refused(&["smooth", &mesh, "-o", folder.path("x.stl").to_str().unwrap()]).contains(".obj or .png"));
     assert!(refused(&["smooth", &mesh, "-o", &mesh]).contains("input"));
@@ -304,7 +304,7 @@ fn arguments_of_lines(mesh: &str) {
     }
     assert!(refused(&["lines"]).contains("<MESH>"));
     assert!(refused(&["lines", mesh, "missing.obj"]).contains("missing.obj"));
-    assert!(refused(&["lines", mesh, "-o", "x.pdf"]).contains(".svg"));
+    assert!(refused(&["lines", mesh, "-o", "x.dwg"]).contains(".svg"));
 }
 
 #[test]

@@ -101,6 +101,22 @@ impl TriangleMesh {
         Ok(Self { positions, triangles })
     }
 
+    /// Several meshes in one space as one: the vertices and faces of each follow those of the mesh before it. Nothing is joined.
+    /// O(V + F).
+    ///
+    /// # Errors
+    /// [`MeshError::TooLarge`] if together they are too large.
+    pub fn of_parts(parts: &[&Self]) -> Result<Self, MeshError> {
+        let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+        for part in parts {
+            // Beyond 32 bits the sum wraps, and the size check of the whole refuses the mesh.
+            let first = positions.len() as u32;
+            positions.extend_from_slice(&part.positions);
+            triangles.extend(part.triangles.iter().map(|corners| corners.map(|corner| corner.wrapping_add(first))));
+        }
+        Self::new(positions, triangles)
+    }
+
     /// Positions in object space, indexed by [`VertexId::index`].
     #[inline]
     pub fn positions(&self) -> &[Vec3] {
@@ -155,6 +171,18 @@ mod tests {
         let error = TriangleMesh::new(p.clone(), vec![[0, 1, 2], [0, 1, 3]]);
         assert_eq!(error, Err(MeshError::IndexOutOfRange { face: FaceId::new(1), index: 3, vertices: 3 }));
         assert!(TriangleMesh::new(p, vec![[0, 1, 2]]).is_ok());
+    }
+
+    #[test]
+    fn parts_follow_each_other() {
+        let mesh = |x: f32, triangles: Vec<[u32; 3]>| {
+            TriangleMesh::new(vec![Vec3::X * x, Vec3::Y, Vec3::Z], triangles).unwrap()
+        };
+        let (one, other) = (mesh(1.0, vec![[0, 1, 2]]), mesh(2.0, vec![[2, 1, 0]]));
+        let both = TriangleMesh::of_parts(&[&one, &other]).unwrap();
+        assert_eq!(both.positions(), [one.positions(), other.positions()].concat());
+        assert_eq!(both.triangles(), [[0, 1, 2], [5, 4, 3]]);
+        assert_eq!(TriangleMesh::of_parts(&[]).unwrap().face_count(), 0);
     }
 
     #[test]

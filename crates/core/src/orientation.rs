@@ -29,6 +29,22 @@ pub fn orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
     certain_orientation(a, b, c, d).unwrap_or_else(|| exact_orientation(a, b, c, d))
 }
 
+/// `normal . (p - point)`: above 0 where `p` lies on the side of the plane through `point` to which `normal` points. Within
+/// [`RELATIVE_ERROR`], 0 only in the plane.
+#[inline]
+pub fn height_over_plane(point: Vec3, normal: Vec3, p: Vec3) -> f64 {
+    let products = normal.as_dvec3() * (p.as_dvec3() - point.as_dvec3());
+    let (value, magnitude) = (products.element_sum(), products.abs().element_sum());
+    let is_certain = value.abs() > CERTAIN * magnitude || magnitude == 0.0;
+    if is_certain { value } else { exact_height(point, normal, p) }
+}
+
+#[cold]
+fn exact_height(point: Vec3, normal: Vec3, p: Vec3) -> f64 {
+    let product = |sign: f64, of: Vec3| (0..3).map(move |axis| (sign, [normal[axis], of[axis], 1.0]));
+    sum_of_products(product(1.0, p).chain(product(-1.0, point)))
+}
+
 #[inline]
 fn certain_orientation(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> Option<f64> {
     let base = a.as_dvec3();
@@ -144,6 +160,24 @@ mod tests {
                 assert_eq!(turn(&viewpoint, corners[0], corners[1], corners[2]) > 0.0, is_front);
             }
         }
+    }
+
+    #[test]
+    fn planes_are_exact() {
+        let (point, normal) = (Vec3::new(0.1, 0.2, 0.3), Vec3::ONE);
+        // 0.1 + 0.2 + 0.3 in another order, whose sum in floats is another number.
+        for p in [Vec3::new(0.3, 0.1, 0.2), Vec3::new(0.2, 0.3, 0.1), point] {
+            assert!(height_over_plane(point, normal, p) == 0.0, "{p}");
+        }
+        let above = Vec3::new(0.3, 0.1, 0.2_f32.next_up());
+        let expected = f64::from(0.2_f32.next_up()) - f64::from(0.2_f32);
+        for (normal, sign) in [(normal, 1.0), (-normal, -1.0)] {
+            let height = height_over_plane(point, normal, above);
+            assert!((height / (sign * expected) - 1.0).abs() <= RELATIVE_ERROR, "{height} for {expected}");
+        }
+        let far = f32::MAX;
+        assert!(height_over_plane(Vec3::splat(far), Vec3::splat(far), Vec3::splat(-far)) < 0.0);
+        assert!(height_over_plane(Vec3::X, Vec3::new(f32::from_bits(1), 0.0, 0.0), Vec3::new(2.0, far, -far)) > 0.0);
     }
 
     fn point(range: i32) -> impl Strategy<Value = [i32; 3]> {

@@ -1,4 +1,4 @@
-//! Edges that are drawn whatever the view: boundary edges, creases, borders of labels, or all.
+//! Edges that are drawn whatever the view: those of sections, boundary edges, creases, borders of labels, or all.
 
 use crate::inward::InwardSolids;
 use crate::kind::LineKind;
@@ -24,12 +24,20 @@ const SAME_WING_RAD: f64 = 1e-6;
 impl FeatureEdges {
     /// The feature edges of a scene. O(E), parallel; O(unpaired edges) where boundary edges are all that is asked for.
     pub fn new(scene: &LineScene, topology: &Topology, unpaired: &UnpairedEdges, options: &LineOptions) -> Self {
-        let looks_at_all =
-            options.mesh || options.ridge_deg.is_some() || options.valley_deg.is_some() || scene.labels().is_some();
+        let mut section: Vec<EdgeId> = Vec::new();
+        if options.section {
+            section.extend(scene.section_edges().iter().filter_map(|&[a, b]| topology.find_edge(a, b)));
+            section.sort_unstable();
+        }
+        let looks_at_all = options.mesh
+            || options.ridge_deg.is_some()
+            || options.valley_deg.is_some()
+            || scene.labels().is_some()
+            || !section.is_empty();
         let mesh = scene.mesh().mesh();
         let wants_creases = options.ridge_deg.is_some() || options.valley_deg.is_some();
         let inward = wants_creases.then(|| InwardSolids::new(mesh, topology, unpaired));
-        let judge = Judge { scene, mesh, topology, unpaired, inward, options };
+        let judge = Judge { scene, mesh, topology, unpaired, section, inward, options };
         let kind_of = |edge: EdgeId| judge.kind(edge).map(|kind| (edge, kind));
         let edges = if looks_at_all {
             (0..topology.edge_count()).into_par_iter().map(EdgeId::from_usize).filter_map(kind_of).collect()
@@ -50,6 +58,8 @@ struct Judge<'a> {
     mesh: &'a TriangleMesh,
     topology: &'a Topology,
     unpaired: &'a UnpairedEdges,
+    /// Edges of sections, ascending.
+    section: Vec<EdgeId>,
     /// Where creases are wanted.
     inward: Option<InwardSolids>,
     options: &'a LineOptions,
@@ -58,6 +68,9 @@ struct Judge<'a> {
 impl Judge<'_> {
     /// The first kind of an edge, if it is drawn whatever the view.
     fn kind(&self, edge: EdgeId) -> Option<LineKind> {
+        if self.section.binary_search(&edge).is_ok() {
+            return Some(LineKind::Section);
+        }
         let other = self.options.mesh.then_some(LineKind::Mesh);
         let half_edges = self.topology.half_edges(edge);
         let is_flat = |face| self.unpaired.is_flat(face);

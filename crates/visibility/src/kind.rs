@@ -4,6 +4,8 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LineKind {
+    /// An edge along which a section plane cut the mesh open.
+    Section,
     /// An edge between faces of both facings.
     Silhouette,
     /// An edge with one face.
@@ -24,7 +26,8 @@ pub enum LineKind {
 
 impl LineKind {
     /// All kinds, in order.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
+        Self::Section,
         Self::Silhouette,
         Self::Boundary,
         Self::Ridge,
@@ -38,6 +41,7 @@ impl LineKind {
     /// The name used on command lines and in files.
     pub const fn name(self) -> &'static str {
         match self {
+            Self::Section => "section",
             Self::Silhouette => "silhouette",
             Self::Boundary => "boundary",
             Self::Ridge => "ridge",

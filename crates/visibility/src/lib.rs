@@ -33,7 +33,7 @@
 //!    that is connected.
 //! 8. `pieces.rs`, `join.rs`: stretches of one invisibility, joined to chains.
 //!
-//! `outline/` takes the contours of step 1 and goes its own way.
+//! `outline/` takes the contours of step 1 and goes its own way. `section/` cuts meshes open beforehand.
 //!
 //! # What is exact
 //!
@@ -93,6 +93,7 @@ pub mod plot;
 mod propagate;
 mod quick;
 mod scene;
+mod section;
 mod select;
 mod sheets;
 mod sight;
@@ -115,6 +116,7 @@ pub use options::LineOptions;
 pub use outline::Outline;
 pub use quick::{FaceIds, FaceIdsError, QuickLineFinder};
 pub use scene::{CurvePiece, LineScene, SceneError};
+pub use section::{ParseSectionPlaneError, SectionPlane, SectionedMesh};
 pub use unpaired::UnpairedEdges;
 pub use vertex_faces::{VertexFace, VertexFaces};
 pub use visible_lines::visible_lines;

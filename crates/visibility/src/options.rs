@@ -4,6 +4,8 @@
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub struct LineOptions {
+    /// Edges along which section planes cut. Default: yes, where the scene has some.
+    pub section: bool,
     /// Silhouette edges. Default: yes.
     pub silhouette: bool,
     /// Boundary edges, of front and of back faces. Default: yes.
@@ -32,6 +34,7 @@ pub struct LineOptions {
 impl Default for LineOptions {
     fn default() -> Self {
         Self {
+            section: true,
             silhouette: true,
             boundary: true,
             back_boundary: true,

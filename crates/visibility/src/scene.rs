@@ -3,7 +3,7 @@
 use crate::kind::LineKind;
 use silhouette_core::glam::{BVec3, DVec3, Vec3};
 use silhouette_core::mesh::MeshError;
-use silhouette_core::{FaceId, PreparedMesh, TriangleMesh};
+use silhouette_core::{FaceId, PreparedMesh, TriangleMesh, VertexId};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, OnceLock};
 
@@ -38,6 +38,12 @@ pub enum SceneError {
         /// How many faces.
         faces: usize,
     },
+    /// An edge of a section between vertices that do not exist.
+    #[error("section edge {edge} names a vertex that does not exist")]
+    Section {
+        /// Its index.
+        edge: usize,
+    },
     /// A control point that is not finite, or a face or object that does not exist.
     #[error(
         "curve piece {piece} has a control point that is not finite, or names a face or object that does not exist"
@@ -55,6 +61,7 @@ pub struct LineScene {
     /// First face of each object, ascending; 0 comes first.
     object_starts: Vec<u32>,
     labels: Option<Vec<u32>>,
+    section_edges: Vec<[VertexId; 2]>,
     curves: Vec<CurvePiece>,
     fingerprint: OnceLock<u128>,
 }
@@ -87,7 +94,14 @@ impl Extent {
 impl LineScene {
     /// One mesh, object 0.
     pub fn new(mesh: Arc<PreparedMesh>) -> Self {
-        Self { mesh, object_starts: vec![0], labels: None, curves: Vec::new(), fingerprint: OnceLock::new() }
+        Self {
+            mesh,
+            object_starts: vec![0],
+            labels: None,
+            section_edges: Vec::new(),
+            curves: Vec::new(),
+            fingerprint: OnceLock::new(),
+        }
     }
 
     /// Several meshes in one space, each an object of its own. Ids of edges and faces are those of the meshes set one after
@@ -96,19 +110,21 @@ impl LineScene {
     /// # Errors
     /// [`SceneError::Mesh`] if together they are too large.
     pub fn of_meshes(meshes: &[&TriangleMesh]) -> Result<Self, SceneError> {
-        let (mut positions, mut triangles, mut object_starts) = (Vec::new(), Vec::new(), Vec::new());
-        for mesh in meshes {
-            // Beyond 32 bits the sum wraps, and the size check of the whole refuses the scene.
-            let first = positions.len() as u32;
-            object_starts.push(triangles.len() as u32);
-            positions.extend_from_slice(mesh.positions());
-            triangles.extend(mesh.triangles().iter().map(|corners| corners.map(|corner| corner.wrapping_add(first))));
-        }
+        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::of_parts(meshes)?));
+        let counts = meshes.iter().map(|mesh| mesh.face_count() as u32);
+        let starts = counts.scan(0, |next, count| Some(std::mem::replace(next, *next + count)));
+        let mut object_starts: Vec<u32> = starts.collect();
         if object_starts.is_empty() {
             object_starts.push(0);
         }
-        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(positions, triangles)?));
-        Ok(Self { mesh, object_starts, labels: None, curves: Vec::new(), fingerprint: OnceLock::new() })
+        Ok(Self {
+            mesh,
+            object_starts,
+            labels: None,
+            section_edges: Vec::new(),
+            curves: Vec::new(),
+            fingerprint: OnceLock::new(),
+        })
     }
 
     /// The same scene with a label for each face, such as its material: lines are drawn between faces of different labels.
@@ -123,6 +139,26 @@ impl LineScene {
         self.labels = Some(labels);
         self.fingerprint = OnceLock::new();
         Ok(self)
+    }
+
+    /// The same scene with the edges along which sections cut it, by their end points; those that are no edges of the mesh are
+    /// passed over. See [`SectionedMesh`](crate::SectionedMesh).
+    ///
+    /// # Errors
+    /// [`SceneError::Section`] names the first at fault.
+    pub fn with_section_edges(mut self, edges: Vec<[VertexId; 2]>) -> Result<Self, SceneError> {
+        let vertices = self.mesh.mesh().vertex_count();
+        if let Some(edge) = edges.iter().position(|ends| ends.iter().any(|vertex| vertex.index() >= vertices)) {
+            return Err(SceneError::Section { edge });
+        }
+        self.section_edges = edges;
+        self.fingerprint = OnceLock::new();
+        Ok(self)
+    }
+
+    /// The edges along which sections cut it.
+    pub fn section_edges(&self) -> &[[VertexId; 2]] {
+        &self.section_edges
     }
 
     /// The same scene with smooth curves.
@@ -188,6 +224,7 @@ impl LineScene {
         mesh.triangles().hash(&mut hasher);
         self.object_starts.hash(&mut hasher);
         self.labels.hash(&mut hasher);
+        self.section_edges.hash(&mut hasher);
         for curve in &self.curves {
             curve.control.iter().for_each(|position| bits(position).hash(&mut hasher));
             (&curve.on_faces, curve.kind, curve.object).hash(&mut hasher);

@@ -137,14 +137,17 @@ fn is_rim_of_wall(view: &ViewedMesh<'_>, edge: EdgeId) -> bool {
         && walls.iter().all(recedes)
 }
 
-/// The mesh edges drawn in a view, each once and ascending: silhouette edges before features. O(S + features).
+/// The mesh edges drawn in a view, each once and ascending: sections and silhouette edges before other features.
+/// O(S + features).
 fn drawn_edges(
     view: &ViewedMesh<'_>,
     silhouette: &[EdgeId],
     features: &FeatureEdges,
     options: &LineOptions,
 ) -> Vec<(EdgeId, LineKind)> {
-    let mut drawn: Vec<(EdgeId, LineKind)> = silhouette.iter().map(|&edge| (edge, LineKind::Silhouette)).collect();
+    let sections = features.as_slice().iter().copied().filter(|&(_, kind)| kind == LineKind::Section);
+    let silhouettes = silhouette.iter().map(|&edge| (edge, LineKind::Silhouette));
+    let mut drawn: Vec<(EdgeId, LineKind)> = sections.chain(silhouettes).collect();
     let kind_in_view = |&(edge, kind): &(EdgeId, LineKind)| {
         let is_front = || view.topology.faces(edge).any(|face| view.facing(face) == Facing::Front);
         if kind != LineKind::Boundary || options.back_boundary || is_front() {
@@ -154,7 +157,7 @@ fn drawn_edges(
         }
     };
     drawn.extend(features.as_slice().iter().filter_map(kind_in_view));
-    // Stable, so that the silhouette keeps an edge that is a feature as well.
+    // Stable, so that sections and then the silhouette keep an edge that is a feature as well.
     drawn.sort_by_key(|&(edge, _)| edge);
     drawn.dedup_by_key(|&mut (edge, _)| edge);
     drawn

@@ -1,13 +1,16 @@
-//! `silhouettes lines`: visible and hidden lines as SVG for plotters, as JSON, or as glTF.
+//! `silhouettes lines`: visible and hidden lines as SVG, PDF, DXF or HP-GL, as JSON, or as glTF.
 
 mod arguments;
+mod format;
 mod quick;
+mod section;
 mod smooth;
 mod stats;
 
 pub use arguments::LinesArguments;
 
 use arguments::HealDistance;
+use format::{Format, PageFormat};
 
 use crate::failure::{Failure, note};
 use crate::input;
@@ -15,19 +18,11 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
+use silhouette_core::mesh::Bounds;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
-use silhouette_visibility::plot::{self, GltfContainer, PlotError, PlotOptions};
+use silhouette_visibility::plot::{self, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
-use std::path::Path;
 use std::time::Instant;
-
-/// The formats that lines are written in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    Svg,
-    Json,
-    Gltf(GltfContainer),
-}
 
 /// Runs the command.
 pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
@@ -41,18 +36,22 @@ pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
 }
 
 fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
-    let format = format_of(arguments.output.as_deref())?;
+    let format = Format::of(arguments.output.as_deref())?;
     let options = arguments.plot_options()?;
     let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
+    if options.fill.is_some() && !format.fills() {
+        note("--fill: only SVG, PDF and DXF have fills; nothing is filled");
+    }
     let output = Output::create(arguments.output.as_deref(), &inputs)?;
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
-    let meshes = meshes(arguments, &progress)?;
+    let mut meshes = meshes(arguments, &progress)?;
     let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+    let bounds = bounds(&meshes).ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
+    let section_edges = section::cut(&mut meshes, arguments.sections(), &names)?;
     let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
-    let bounds = scene.mesh().mesh().bounds();
-    let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
+    let scene = scene.with_section_edges(section_edges).map_err(Failure::input)?;
     let camera = arguments.camera.camera(&bounds)?;
     options.check(&camera).map_err(of_plotting)?;
     let load = started.elapsed();
@@ -76,10 +75,17 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let mut bytes = Vec::new();
     let mut drawing = None;
     match format {
-        Format::Svg => {
+        Format::Page(format) => {
             let drawing = drawing.insert(plot::plot(&lines, &options, &progress).map_err(of_plotting)?);
             tell_what_is_cut_off(drawing, &options);
-            drawing.write_svg(&format!("Lines of {names}"), &mut bytes).map_err(Failure::run)?;
+            let title = format!("Lines of {names}");
+            let written = match format {
+                PageFormat::Svg => drawing.write_svg(&title, &mut bytes),
+                PageFormat::Pdf => drawing.write_pdf(&title, &mut bytes),
+                PageFormat::Dxf => drawing.write_dxf(&mut bytes),
+                PageFormat::Hpgl => drawing.write_hpgl(&mut bytes),
+            };
+            written.map_err(Failure::run)?;
         }
         Format::Json => bytes = json(&lines, &options, &scene, &meshes, &progress)?,
         Format::Gltf(container) => {
@@ -90,6 +96,15 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
         stats::print(&stats::Report { load, prepare, lines: &lines, drawing: drawing.as_ref(), bytes: bytes.len() });
     }
     output.write(&bytes)
+}
+
+/// What the meshes span together, before they are cut, so that pictures with and without a section lie upon each other.
+fn bounds(meshes: &[(String, LabelledMesh)]) -> Option<Bounds> {
+    let places = meshes.iter().flat_map(|(_, loaded)| {
+        let mesh = &loaded.mesh;
+        mesh.triangles().iter().flatten().map(|&vertex| mesh.positions()[vertex as usize])
+    });
+    Bounds::of(places)
 }
 
 /// The meshes with their names, welded and healed if that is asked for.
@@ -204,19 +219,5 @@ fn of_finding(names: &str, error: LineError) -> Failure {
     match error {
         LineError::Cancelled(error) => error.into(),
         other => Failure::Input(format!("{names}: {other}")),
-    }
-}
-
-fn format_of(path: Option<&Path>) -> Result<Format, Failure> {
-    let Some(path) = path else { return Ok(Format::Svg) };
-    match path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("svg") => Ok(Format::Svg),
-        Some("json") => Ok(Format::Json),
-        Some("gltf") => Ok(Format::Gltf(GltfContainer::Text)),
-        Some("glb") => Ok(Format::Gltf(GltfContainer::Binary)),
-        _ => Err(Failure::Input(format!(
-            "{}: unknown kind of output; end its name in .svg, .json, .gltf or .glb",
-            path.display()
-        ))),
     }
 }

@@ -1,8 +1,8 @@
 //! Step 2, dedupe: what lies on another line is drawn once.
 
+use super::decimal::printed;
 use super::drawn::DrawnSegments;
 use super::paths::{Path, Paths, Segment};
-use super::svg::printed;
 use std::collections::HashSet;
 
 /// A segment as the file would print it, whichever way it runs: both ends and both handles.

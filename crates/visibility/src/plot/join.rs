@@ -1,7 +1,7 @@
 //! Step 3, join: paths of a layer that touch end to end become one.
 
+use super::decimal::printed;
 use super::paths::{Path, Paths};
-use super::svg::printed;
 use std::collections::HashMap;
 
 /// An end of an open path.

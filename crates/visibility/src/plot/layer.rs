@@ -29,7 +29,7 @@ impl LayerName {
     }
 
     /// All layers in the order of drawing: hidden lines first, and the kinds from the last to the first, so that
-    /// silhouettes cover what they cross; the outline at the end.
+    /// sections and silhouettes cover what they cross; the outline at the end.
     pub fn all() -> impl Iterator<Item = Self> {
         let lines = |visible| LineKind::ALL.into_iter().rev().map(move |kind| Self::Lines { kind, visible });
         lines(false).chain(lines(true)).chain([Self::Outline])
@@ -49,6 +49,7 @@ impl LayerName {
     pub(super) fn pen(self, options: &PlotOptions) -> Option<(Pen, Option<Dash>)> {
         let pen = match self {
             Self::Lines { kind, .. } => *options.pens.of(kind),
+            Self::Outline if !options.outline => return None,
             Self::Outline => options.pens.outline,
         };
         match options.hidden {
@@ -95,11 +96,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_layer_is_drawn_once_and_silhouettes_late() {
+    fn every_layer_is_drawn_once_and_sections_late() {
         let all: Vec<_> = LayerName::all().collect();
         let mut ids: Vec<_> = all.iter().map(|name| name.id()).collect();
         assert_eq!(all.len(), 2 * LineKind::ALL.len() + 1);
-        assert_eq!(ids[2 * LineKind::ALL.len() - 1..], ["silhouette-visible", "outline"]);
+        assert_eq!(ids[2 * LineKind::ALL.len() - 2..], ["silhouette-visible", "section-visible", "outline"]);
         assert!(all[..LineKind::ALL.len()].iter().all(|name| name.is_hidden()));
         ids.sort();
         ids.dedup();

@@ -8,15 +8,20 @@
 //! 6. `dash`(mod@dash): hidden lines are cut into strokes and gaps
 //! 7. `order`(mod@order): the lifted pen travels little
 //!
-//! What comes out is a [`Drawing`], written by [`Drawing::write_svg`]. [`write_json`] and [`write_gltf`] write the lines
-//! themselves, before any of these steps.
+//! What comes out is a [`Drawing`], written by [`Drawing::write_svg`], [`Drawing::write_pdf`], [`Drawing::write_dxf`] or
+//! [`Drawing::write_hpgl`]. [`write_json`] and [`write_gltf`] write the lines themselves, before any of these steps.
 
 mod clip;
 mod dash;
+mod decimal;
 mod dedupe;
 mod drawn;
 mod drop_short;
+mod dxf;
+mod fill;
+mod flatten;
 mod gltf;
+mod hpgl;
 mod join;
 mod json;
 mod layer;
@@ -26,11 +31,13 @@ mod options;
 mod order;
 mod page;
 mod paths;
+mod pdf;
 mod pen;
 mod place;
 mod svg;
 
 pub use drop_short::Dropped;
+pub use fill::Fill;
 pub use gltf::{GltfContainer, write_gltf};
 pub use json::{EndPoints, write_json};
 pub use layer::{Layer, LayerName};
@@ -57,6 +64,8 @@ pub struct Drawing {
     pub cap: Cap,
     /// How segments meet.
     pub join: Join,
+    /// What is filled beneath all layers.
+    pub fill: Option<Fill>,
     /// Layers that hold something, in the order of drawing.
     pub layers: Vec<Layer>,
     /// What was done.
@@ -137,7 +146,8 @@ pub fn plot(lines: &Lines, options: &PlotOptions, progress: &dyn Progress) -> Re
         stats.drawn += layer.paths.length();
     }
     stats.order = start.elapsed();
-    Ok(Drawing { placement, cap: options.cap, join: options.join, layers, stats })
+    let fill = Fill::of(lines, options, &placement);
+    Ok(Drawing { placement, cap: options.cap, join: options.join, fill, layers, stats })
 }
 
 /// One layer a name that has a pen and lines.

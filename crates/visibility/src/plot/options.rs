@@ -2,7 +2,7 @@
 
 use super::length::{Length, Unit};
 use super::page::{Fit, Sheet};
-use super::pen::{Dash, Pens};
+use super::pen::{Colour, Dash, Pens};
 use silhouette_core::progress::Cancelled;
 use silhouette_core::view::{Camera, Projection};
 
@@ -62,6 +62,10 @@ pub struct PlotOptions {
     pub min_length: Length,
     /// Whether what lies on another line is dropped: visible before hidden, silhouettes before all others. Default: yes.
     pub dedupe: bool,
+    /// Whether the outline is drawn with its pen where it was found. Default: yes.
+    pub outline: bool,
+    /// With what all that the meshes cover is filled, beneath all lines; needs the outline to have been found. Default: nothing.
+    pub fill: Option<Colour>,
     /// Whether paths are put in an order in which the pen travels little between them. Default: yes.
     pub order: bool,
 }
@@ -78,6 +82,8 @@ impl Default for PlotOptions {
             merge_tolerance: Length::mm(0.01),
             min_length: Length::mm(0.1),
             dedupe: true,
+            outline: true,
+            fill: None,
             order: true,
         }
     }

@@ -74,7 +74,7 @@ impl Pen {
 
 /// One pen a kind of line, and one for the outline.
 ///
-/// Default: black; widths of ISO 128, 0.5 mm for silhouettes, boundaries and smooth curves, 0.7 mm for the outline,
+/// Default: black; widths of ISO 128, 0.5 mm for silhouettes, boundaries and smooth curves, 0.7 mm for sections and the outline,
 /// 0.18 mm for plain mesh edges and 0.35 mm for the others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pens {
@@ -108,6 +108,7 @@ impl Pens {
 impl Default for Pens {
     fn default() -> Self {
         let width_mm = |kind| match kind {
+            LineKind::Section => 0.7,
             LineKind::Silhouette | LineKind::Boundary | LineKind::Curve => 0.5,
             LineKind::Ridge | LineKind::Valley | LineKind::Material | LineKind::Intersection => 0.35,
             LineKind::Mesh => 0.18,

@@ -33,6 +33,11 @@ impl Placement {
         pixel * self.scale + self.offset
     }
 
+    /// Millimetres a page unit.
+    pub(super) fn mm(&self) -> f64 {
+        Length::new(1.0, self.unit).to(Unit::Mm)
+    }
+
     /// The placement of a view in which `chains` are drawn. O(points).
     pub(super) fn new<'a>(
         camera: &Camera,

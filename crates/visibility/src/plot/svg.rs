@@ -1,35 +1,31 @@
 //! A drawing as SVG: one Inkscape layer a pen.
 
 use super::Drawing;
+use super::decimal::{self, number, printed, push_steps};
+use super::fill::Fill;
 use super::layer::{Layer, LayerName};
 use super::options::{Cap, Join};
 use super::paths::Path;
 use silhouette_core::glam::DVec2;
 use std::io::{self, Write};
 
-/// Decimals of coordinates: a thousandth of a millimetre or of a pixel, finer than any plotter's step.
-const DECIMALS: usize = 3;
-/// 10 to the power of the decimals.
-const STEPS: f64 = 1000.0;
-
-/// A point as it is printed, in steps of the last decimal. Points of equal steps are one point in the file.
-pub(super) fn printed(point: DVec2) -> [i64; 2] {
-    // Saturates far beyond any page.
-    (point * STEPS).to_array().map(|coordinate| coordinate.round() as i64)
-}
-
 impl Drawing {
     /// Writes the drawing as SVG 1.1, path by path; `title` becomes the title of the document.
     ///
     /// Width and height carry the unit, the view box makes it the unit of all coordinates. Each layer is an Inkscape
     /// layer whose label begins with its number, by which vpype and the AxiDraw software know layers, too. Coordinates
-    /// have three decimals, so that equal drawings are equal bytes. The outline is one path with `fill-rule="evenodd"`.
+    /// have three decimals, so that equal drawings are equal bytes. The outline is one path with `fill-rule="evenodd"`. A fill
+    /// is a layer beneath all others, whose label begins with `%`, by which the AxiDraw software knows what is not to be
+    /// plotted.
     ///
     /// # Errors
     /// Those of `out`.
     pub fn write_svg(&self, title: &str, out: &mut dyn Write) -> io::Result<()> {
         let mut text = Vec::with_capacity(64 * 1024);
         self.push_head(title, &mut text);
+        if let Some(fill) = &self.fill {
+            push_fill(fill, &mut text);
+        }
         for (number, layer) in (1..).zip(&self.layers) {
             self.push_layer_tag(number, layer, &mut text);
             let outline = layer.name == LayerName::Outline;
@@ -79,10 +75,18 @@ impl Drawing {
 
     fn push_layer_tag(&self, number: usize, layer: &Layer, text: &mut Vec<u8>) {
         let (name, id) = (layer.name, layer.name.id());
-        let (colour, width) = (layer.pen.colour, self::number(layer.width(self.placement.unit)));
+        let (colour, width) = (layer.pen.colour, decimal::number(layer.width(self.placement.unit)));
         text.extend(format!("<g inkscape:groupmode=\"layer\" id=\"{id}\" inkscape:label=\"{number} {name}\"").bytes());
         text.extend(format!(" stroke=\"{colour}\" stroke-width=\"{width}\">\n").bytes());
     }
+}
+
+/// The layer of what is filled.
+fn push_fill(fill: &Fill, text: &mut Vec<u8>) {
+    text.extend(b"<g inkscape:groupmode=\"layer\" id=\"fill\" inkscape:label=\"% fill\"");
+    text.extend(format!(" fill=\"{}\" stroke=\"none\">\n<path fill-rule=\"evenodd\" d=\"", fill.colour).bytes());
+    fill.paths.iter().for_each(|path| push_data(path, text));
+    text.extend(b"\"/>\n</g>\n");
 }
 
 /// A path's data: M, then L or C, and Z for a closed one.
@@ -116,41 +120,6 @@ fn push_point(point: DVec2, text: &mut Vec<u8>) {
     push_steps(y, text);
 }
 
-/// A number given in steps of the last decimal, without zeros at its end.
-fn push_steps(steps: i64, text: &mut Vec<u8>) {
-    if steps < 0 {
-        text.push(b'-');
-    }
-    let steps = steps.unsigned_abs();
-    let (whole, mut share) = (steps / STEPS as u64, steps % STEPS as u64);
-    let mut digits = [0; 20];
-    let mut at = digits.len();
-    let mut rest = whole;
-    while rest > 0 || at == digits.len() {
-        at -= 1;
-        digits[at] = b'0' + (rest % 10) as u8;
-        rest /= 10;
-    }
-    text.extend(&digits[at..]);
-    if share > 0 {
-        text.push(b'.');
-        for decimal in (0..DECIMALS as u32).rev() {
-            let power = 10_u64.pow(decimal);
-            text.push(b'0' + (share / power) as u8);
-            share %= power;
-            if share == 0 {
-                break;
-            }
-        }
-    }
-}
-
-fn number(value: f64) -> String {
-    let mut text = Vec::new();
-    push_steps((value * STEPS).round() as i64, &mut text);
-    String::from_utf8(text).expect("digits are ASCII")
-}
-
 /// Text as XML content, without characters that XML cannot hold.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
@@ -170,23 +139,6 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_have_at_most_three_decimals() {
-        for (value, expected) in [
-            (0.0, "0"),
-            (-0.0004, "0"),
-            (1.0, "1"),
-            (-1.5, "-1.5"),
-            (0.0005, "0.001"),
-            (12.34, "12.34"),
-            (-0.07, "-0.07"),
-            (210.001, "210.001"),
-            (1e6, "1000000"),
-        ] {
-            assert_eq!(number(value), expected, "{value}");
-        }
-    }
 
     #[test]
     fn titles_are_escaped() {

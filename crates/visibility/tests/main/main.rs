@@ -14,6 +14,7 @@ mod outline;
 mod outline_raster;
 mod rays;
 mod scenes;
+mod sections;
 mod soups;
 mod strokes_of_the_caller;
 mod whole_scenes;

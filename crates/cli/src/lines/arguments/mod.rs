@@ -13,8 +13,8 @@ use crate::winding::OrientArgument;
 use clap::Args;
 use page::PageArguments;
 use pens::PenArguments;
-use silhouette_visibility::LineOptions;
 use silhouette_visibility::plot::{Hidden, Length, PlotOptions, Unit};
+use silhouette_visibility::{LineOptions, SectionPlane};
 use std::path::PathBuf;
 use which::{HiddenArgument, OutlineArgument, WhichLines};
 
@@ -24,7 +24,7 @@ pub struct LinesArguments {
     /// Mesh files or builtin:NAME; several are drawn together and hide each other
     #[arg(required = true, value_name = "MESH")]
     pub meshes: Vec<String>,
-    /// Output file: .svg, .json, .gltf or .glb [default: SVG on standard output]
+    /// Output file: .svg, .pdf, .dxf, .hpgl or .plt, .json, .gltf or .glb [default: SVG on standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Threads to work with [default: as many as the machine runs]
@@ -33,7 +33,7 @@ pub struct LinesArguments {
     /// Looks up what is visible in a picture of face ids, twice as fine as the view, instead of deciding it exactly: misses up
     /// to 1 % of the visible length, and on fine meshes draws nearly as much again that is hidden, most of it within a pixel
     /// of a visible line; needs an adapter
-    #[arg(long, conflicts_with_all = ["hidden", "outline", "intersections"])]
+    #[arg(long, conflicts_with_all = ["hidden", "outline", "fill", "intersections"])]
     pub quick: bool,
     /// Smooth curves in place of silhouette, boundary and crease edges, as of a finer mesh: each mesh is re-meshed for this view
     /// by the method smoothing, and hides lines as that surface. SVG: cubic Bezier curves; JSON: no edges but curves, with
@@ -68,12 +68,18 @@ impl LinesArguments {
         self.which.materials && self.line_options().material
     }
 
+    /// By which planes the meshes are cut.
+    pub fn sections(&self) -> &[SectionPlane] {
+        &self.which.section
+    }
+
     /// Which lines are wanted.
     pub fn line_options(&self) -> LineOptions {
         let which = &self.which;
         let others = which.outline != Some(OutlineArgument::Only);
         let all_depths = matches!(which.hidden, Some(HiddenArgument::Dashed | HiddenArgument::Solid));
         LineOptions {
+            section: others,
             silhouette: others,
             boundary: others && !which.no_boundaries,
             back_boundary: others,
@@ -84,7 +90,7 @@ impl LinesArguments {
             mesh: which.all_edges && others,
             curves: others,
             max_invisibility: if all_depths { u32::MAX } else { 0 },
-            outline: which.outline.is_some(),
+            outline: which.outline.is_some() || self.pens.wants_fill(),
         }
     }
 
@@ -108,6 +114,8 @@ impl LinesArguments {
             merge_tolerance: length("--tolerance", page.tolerance.as_deref(), unit, defaults.merge_tolerance)?,
             min_length: length("--min-length", page.min_length.as_deref(), unit, defaults.min_length)?,
             dedupe: !page.no_dedupe,
+            outline: self.which.outline.is_some() || !self.pens.wants_fill(),
+            fill: self.pens.fill()?,
             order: !page.no_sort,
         })
     }

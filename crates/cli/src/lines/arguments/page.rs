@@ -8,9 +8,9 @@ use std::str::FromStr;
 
 /// The paper.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Page (SVG)")]
+#[command(next_help_heading = "Page (SVG, PDF, DXF, HP-GL)")]
 pub struct PageArguments {
-    /// Unit of the file, and of lengths given without one
+    /// Unit of an SVG file, and of lengths given without one
     #[arg(long, value_enum, default_value_t = UnitArgument::Mm)]
     units: UnitArgument,
     /// a0 to a5, letter, legal, tabloid, or width and height such as 200x150mm or 11x17in [default: a4; with --units px: the view, as it is]

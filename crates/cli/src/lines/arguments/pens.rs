@@ -10,10 +10,12 @@ use silhouette_visibility::plot::{Cap, Colour, Dash, Join, Length, Pen, Pens, Un
 const OUTLINE: &str = "outline";
 /// What the pattern of hidden lines is called.
 const HIDDEN: &str = "hidden";
+/// What is said of a word that is no colour.
+const COLOUR: &str = "expected an opaque colour such as #1a2b3c or red";
 
 /// The pens.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Pens (SVG)")]
+#[command(next_help_heading = "Pens (SVG, PDF, DXF)")]
 pub struct PenArguments {
     /// Width of all pens, or of one kind's: 0.3mm, ridge=0.2mm; may be given several times
     #[arg(long, value_name = "[KIND=]LENGTH")]
@@ -24,6 +26,10 @@ pub struct PenArguments {
     /// Strokes and gaps of one kind of visible line: curve=3mm,1mm; of hidden ones, with --hidden: hidden=2mm,1mm
     #[arg(long, value_name = "KIND=ON,OFF")]
     dash: Vec<String>,
+    /// Fills all that the meshes cover, beneath the lines, in SVG, PDF and DXF [--fill alone: white, so that the drawing covers what
+    /// it is laid upon]
+    #[arg(long, value_name = "COLOUR", num_args = 0..=1, require_equals = true, default_missing_value = "white")]
+    fill: Option<String>,
     /// How strokes end
     #[arg(long, value_enum, default_value_t = CapArgument::Round)]
     cap: CapArgument,
@@ -69,6 +75,17 @@ impl PenArguments {
         }
     }
 
+    /// Whether something is to be filled.
+    pub const fn wants_fill(&self) -> bool {
+        self.fill.is_some()
+    }
+
+    /// With what.
+    pub fn fill(&self) -> Result<Option<Colour>, Failure> {
+        let read = |text: &String| colour(text).ok_or_else(|| Failure::Input(format!("--fill {text}: {COLOUR}")));
+        self.fill.as_ref().map(read).transpose()
+    }
+
     /// The pens, and the pattern of hidden lines, which may be given where they are drawn dashed.
     pub fn pens(&self, unit: Unit, draws_dashes: bool) -> Result<(Pens, Dash), Failure> {
         let mut pens = Pens::default();
@@ -79,8 +96,7 @@ impl PenArguments {
         }
         for word in &self.colour {
             let (kind, text) = split(word);
-            let expected = "expected an opaque colour such as #1a2b3c or red";
-            let colour = colour(text).ok_or_else(|| Failure::Input(format!("--colour {word}: {expected}")))?;
+            let colour = colour(text).ok_or_else(|| Failure::Input(format!("--colour {word}: {COLOUR}")))?;
             change("--colour", kind, &mut pens, |pen| pen.colour = colour)?;
         }
         let mut hidden = Dash::HIDDEN;

@@ -2,6 +2,8 @@
 
 use crate::args::bend;
 use clap::{Args, ValueEnum};
+use silhouette_visibility::SectionPlane;
+use std::str::FromStr;
 
 /// Which lines are drawn besides silhouettes and boundaries.
 #[derive(Debug, Args)]
@@ -31,6 +33,10 @@ pub struct WhichLines {
     /// Lines in which faces pass through each other
     #[arg(long)]
     pub intersections: bool,
+    /// Cuts the meshes open by the plane through X,Y,Z, and takes away what lies on the side to which the normal NX,NY,NZ points;
+    /// the curves in which it cuts are lines of the kind section; may be given several times
+    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", allow_hyphen_values = true, value_parser = SectionPlane::from_str, conflicts_with = "smooth")]
+    pub section: Vec<SectionPlane>,
     /// The outline, as closed polygons around all that the meshes cover: with the other lines, or only [--outline alone: with]
     #[arg(long, value_enum, value_name = "HOW", num_args = 0..=1, require_equals = true, default_missing_value = "with")]
     pub outline: Option<OutlineArgument>,
