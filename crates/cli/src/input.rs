@@ -103,7 +103,7 @@ fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String,
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
         return Ok((
             argument.to_owned(),
-            LabelledMesh { mesh, labels: None, feature_edges: Vec::new(), notes: Vec::new() },
+            LabelledMesh { mesh, labels: None, parts: None, feature_edges: Vec::new(), notes: Vec::new() },
         ));
     }
     if argument == STANDARD_INPUT {
