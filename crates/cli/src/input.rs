@@ -118,6 +118,11 @@ fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String,
     Ok((file_name(path), loaded))
 }
 
+/// Whether an argument names a mesh that is there: a file, a built-in shape or standard input.
+pub fn names_mesh(argument: &str) -> bool {
+    argument.starts_with(BUILTIN) || argument == STANDARD_INPUT || Path::new(argument).exists()
+}
+
 /// What stands for standard input.
 const STANDARD_INPUT: &str = "-";
 

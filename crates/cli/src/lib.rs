@@ -26,6 +26,7 @@ mod input;
 mod inspect;
 mod interrupt;
 mod lines;
+mod out_of_view;
 mod output;
 mod progress;
 mod render;

@@ -1,13 +1,17 @@
 //! `silhouettes lines`: visible and hidden lines as SVG for plotters, as JSON, or as glTF.
 
 mod arguments;
+mod parts;
 mod quick;
 mod smooth;
 mod stats;
+mod surprises;
+mod views;
 
 pub use arguments::LinesArguments;
 
 use arguments::HealDistance;
+use parts::Parts;
 
 use crate::failure::{Failure, note};
 use crate::input;
@@ -17,7 +21,7 @@ use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, GltfContainer, PlotError, PlotOptions};
-use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
+use silhouette_visibility::{LineError, LineScene, Lines};
 use std::path::Path;
 use std::time::Instant;
 
@@ -42,59 +46,62 @@ pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
 
 fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let format = format_of(arguments.output.as_deref())?;
-    let options = arguments.plot_options()?;
+    let mut options = arguments.plot_options()?;
+    if arguments.views.views.is_some() && format != Format::Svg {
+        return Err(Failure::Input("--views: several views need a page; end the output's name in .svg".to_owned()));
+    }
     let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
     let output = Output::create(arguments.output.as_deref(), &inputs)?;
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
-    let meshes = meshes(arguments, &progress)?;
+    let (meshes, parts) = meshes(arguments, &progress)?;
     let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
+    options.object_names = parts.names().to_vec();
     let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
-    let bounds = scene.mesh().mesh().bounds();
+    let masks = parts.masks(&meshes);
+    let drawn = masks.as_ref().map(|masks| parts::without_masks(&scene, masks)).transpose()?;
+    let bounds = drawn.as_ref().unwrap_or(&scene).mesh().mesh().bounds();
     let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
-    let camera = arguments.camera.camera(&bounds)?;
-    options.check(&camera).map_err(of_plotting)?;
+    let views = views::Views::of(arguments, &bounds)?;
+    for camera in views.cameras() {
+        options.check(camera).map_err(of_plotting)?;
+    }
+    let topology = scene.mesh().artefact::<Topology>("lines", &progress)?;
+    let each: Vec<_> = meshes.iter().map(|(name, _)| name.as_str()).collect();
+    surprises::note_meshes(&scene, &topology, &each, arguments);
     let load = started.elapsed();
 
-    let started = Instant::now();
-    let mut wanted = arguments.line_options();
-    let scene = if arguments.smooth {
-        let (scene, of_curves) = smooth::scene(&meshes, &camera, &wanted, &progress)?;
-        wanted = of_curves;
-        scene
-    } else {
-        scene
-    };
-    let (prepare, lines) = if arguments.quick {
-        quick::find(&scene, &names, &camera, &wanted, &progress)?
-    } else {
-        let mut finder = LineFinder::new(scene.clone(), &progress)?;
-        (started.elapsed(), finder.find(&camera, &wanted, &progress).map_err(|error| of_finding(&names, error))?)
-    };
+    let shown = views::Shown { names: &names, meshes: &meshes, parts: &parts, scene: &scene, masks, drawn };
+    let (prepare, lines) = views.find(&shown, arguments, &progress)?;
 
     let mut bytes = Vec::new();
     let mut drawing = None;
     match format {
         Format::Svg => {
-            let drawing = drawing.insert(plot::plot(&lines, &options, &progress).map_err(of_plotting)?);
+            let drawing = drawing.insert(views.plot(&lines, arguments, &options, &progress)?);
             tell_what_is_cut_off(drawing, &options);
             drawing.write_svg(&format!("Lines of {names}"), &mut bytes).map_err(Failure::run)?;
         }
-        Format::Json => bytes = json(&lines, &options, &scene, &meshes, &progress)?,
+        Format::Json => bytes = json(&lines[0], &options, &scene, &meshes, &progress)?,
         Format::Gltf(container) => {
-            plot::write_gltf(&lines, &options, container, &mut bytes).map_err(Failure::run)?;
+            plot::write_gltf(&lines[0], &options, container, &mut bytes).map_err(Failure::run)?;
         }
     }
+    surprises::note_empty(&scene, &lines[0], drawing.as_ref(), arguments);
     if arguments.stats {
         stats::print(&stats::Report { load, prepare, lines: &lines, drawing: drawing.as_ref(), bytes: bytes.len() });
     }
     output.write(&bytes)
 }
 
-/// The meshes with their names, welded and healed if that is asked for.
-fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
+/// The meshes with their names, welded and healed if that is asked for, and what their parts are.
+fn meshes(
+    arguments: &LinesArguments,
+    progress: &TerminalProgress,
+) -> Result<(Vec<(String, LabelledMesh)>, Parts), Failure> {
     let mut meshes = input::labelled_meshes(&arguments.meshes, progress)?;
+    let parts = parts::select(&mut meshes, &arguments.parts, arguments.smooth, progress)?;
     if let Some(distance) = arguments.weld {
         meshes.iter_mut().try_for_each(|(_, loaded)| input::weld(loaded, distance))?;
     }
@@ -108,7 +115,7 @@ fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec
     // Lines are right whichever way faces point, and so are their kinds.
     let winding = arguments.orient.winding(false);
     meshes.iter_mut().for_each(|(name, loaded)| winding.apply(name, loaded));
-    Ok(meshes)
+    Ok((meshes, parts))
 }
 
 /// Mends the T-junctions of a mesh.
@@ -127,6 +134,9 @@ fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result
     }
     if let Some(labels) = &mut loaded.labels {
         *labels = healed.face_of.iter().map(|face| labels[face.index()]).collect();
+    }
+    if let Some(parts) = &mut loaded.parts {
+        *parts = parts.of_faces(healed.face_of.iter().copied());
     }
     loaded.mesh = healed.mesh;
     Ok(())
