@@ -111,6 +111,12 @@ impl CameraArguments {
         Ok(Camera::new(eye, target, up, projection, self.size)?)
     }
 
+    /// Cameras for several named views of a mesh with these bounds: orthographic, of one scale, which look at its middle.
+    pub fn cameras(&self, views: &[ViewPreset], bounds: &Bounds) -> Result<Vec<Camera>, Failure> {
+        let ortho = self.ortho.or(Some(OrthoHeight::Fit));
+        views.iter().map(|&view| Self { view: Some(view), ortho, ..self.clone() }.camera(bounds)).collect()
+    }
+
     /// What facing depends on. Unlike a camera, an eye on the target is no obstacle.
     pub fn viewpoint(&self, bounds: &Bounds) -> Result<Viewpoint, Failure> {
         match (self.eye.filter(|_| self.view.is_none()), self.ortho) {

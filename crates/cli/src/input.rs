@@ -86,7 +86,7 @@ pub fn drawable(
         feature_edges.extend(loaded.feature_edges.iter().map(|edge| edge.map(|vertex| vertex + first)));
         first += loaded.mesh.vertex_count() as u32;
     }
-    Ok(prepared(name, LabelledMesh { mesh, labels: None, feature_edges, notes: Vec::new() }))
+    Ok(prepared(name, LabelledMesh { mesh, labels: None, feature_edges, notes: Vec::new(), parts: None }))
 }
 
 fn is_texture(argument: &str) -> bool {
@@ -127,7 +127,7 @@ fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String,
         let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
         return Ok((
             argument.to_owned(),
-            LabelledMesh { mesh, labels: None, feature_edges: Vec::new(), notes: Vec::new() },
+            LabelledMesh { mesh, labels: None, parts: None, feature_edges: Vec::new(), notes: Vec::new() },
         ));
     }
     if argument == STANDARD_INPUT {
@@ -140,6 +140,11 @@ fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String,
     let path = Path::new(argument);
     let loaded = load::load_labelled(path, progress)?;
     Ok((file_name(path), loaded))
+}
+
+/// Whether an argument names a mesh that is there: a file, a built-in shape or standard input.
+pub fn names_mesh(argument: &str) -> bool {
+    argument.starts_with(BUILTIN) || argument == STANDARD_INPUT || Path::new(argument).exists()
 }
 
 /// What stands for standard input.

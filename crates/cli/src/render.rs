@@ -3,6 +3,7 @@
 use crate::args::RenderArguments;
 use crate::failure::{self, Failure};
 use crate::input;
+use crate::out_of_view::out_of_view;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_compare::drawing::{DrawError, FrameStyle, Ground, render_method};
@@ -35,6 +36,9 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let named = input::drawable(&inputs, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
     let camera = arguments.camera.camera(&bounds)?;
+    if let Some(reason) = out_of_view(&camera, named.mesh.mesh()) {
+        failure::note(format_args!("nothing lies in the view: {reason}"));
+    }
     let (size, pen_width_px) = (camera.size(), arguments.width);
     let style = FrameStyle { size, pen_width_px, samples: arguments.samples, ground };
     output.write(&png(entry, &options, &named, &camera, style, &progress)?)

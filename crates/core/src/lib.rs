@@ -5,7 +5,7 @@
 //! Read [`method`] first when you add a method: it is the whole contract. The rest, in the order data flows:
 //!
 //! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
-//! 2. [`weld`]: merging of coincident vertices, [`heal`]: mending of T-junctions, both on request only. [`inspect`]: what is wrong with a mesh, with ids.
+//! 2. [`weld`]: merging of coincident vertices, [`heal`]: mending of T-junctions, both on request only; [`seams`]: what welding would close. [`inspect`]: what is wrong with a mesh, with ids.
 //! 3. [`topology`]: edges with all their incident faces, twin half-edges; [`feature_edges`](mod@feature_edges): those at which the surface is sharp; [`face_normal`](mod@face_normal). [`subdivide`]: a finer, smoother mesh; `simplify`: a coarser one (cargo feature `simplify`).
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
 //! 5. [`orientation`]: the exact predicate on four points, or three as seen from a viewpoint; [`displaced`]: the same for a viewer in general position. [`facing`]: front or back, by the exact sign, for every face; [`facing_memo`]: for those that somebody asks about.
@@ -41,6 +41,7 @@ pub mod prepared;
 pub mod progress;
 #[cfg(feature = "save")]
 pub mod save;
+pub mod seams;
 pub mod shapes;
 pub mod silhouette;
 #[cfg(feature = "simplify")]

@@ -3,6 +3,7 @@
 use crate::chains::Chains;
 use crate::outline::Outline;
 use silhouette_core::Camera;
+use std::ops::Add;
 use std::time::Duration;
 
 /// The lines of one view.
@@ -43,4 +44,25 @@ pub struct LineStats {
     pub sight_lines: u64,
     /// Pieces decided.
     pub pieces: u64,
+}
+
+impl Add for LineStats {
+    type Output = Self;
+
+    /// What several views cost together.
+    fn add(self, other: Self) -> Self {
+        Self {
+            extract: self.extract + other.extract,
+            project: self.project + other.project,
+            decide: self.decide + other.decide,
+            chain: self.chain + other.chain,
+            outline: self.outline + other.outline,
+            edges: self.edges + other.edges,
+            contours: self.contours + other.contours,
+            pairs: self.pairs + other.pairs,
+            events: self.events + other.events,
+            sight_lines: self.sight_lines + other.sight_lines,
+            pieces: self.pieces + other.pieces,
+        }
+    }
 }

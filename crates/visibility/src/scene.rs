@@ -30,12 +30,14 @@ pub enum SceneError {
     /// Together the meshes are too large for 32-bit ids.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// There must be a label for each face.
-    #[error("{labels} labels for {faces} faces; give one for each face")]
-    Labels {
-        /// How many labels there are.
-        labels: usize,
-        /// How many faces.
+    /// There must be a label, an object or a mask for each face.
+    #[error("{given} {what} for {faces} faces; give one for each face")]
+    PerFace {
+        /// What is given: labels, objects or masks.
+        what: &'static str,
+        /// How many of them.
+        given: usize,
+        /// How many faces there are.
         faces: usize,
     },
     /// An edge of a section between vertices that do not exist.
@@ -62,6 +64,10 @@ pub struct LineScene {
     object_starts: Vec<u32>,
     labels: Option<Vec<u32>>,
     section_edges: Vec<[VertexId; 2]>,
+    /// The object of each face, where objects are no meshes.
+    objects: Option<Vec<u32>>,
+    /// Which faces are masks, where there are some.
+    masks: Option<Vec<bool>>,
     curves: Vec<CurvePiece>,
     fingerprint: OnceLock<u128>,
 }
@@ -94,10 +100,16 @@ impl Extent {
 impl LineScene {
     /// One mesh, object 0.
     pub fn new(mesh: Arc<PreparedMesh>) -> Self {
+        Self::with_starts(mesh, vec![0])
+    }
+
+    fn with_starts(mesh: Arc<PreparedMesh>, object_starts: Vec<u32>) -> Self {
         Self {
             mesh,
-            object_starts: vec![0],
+            object_starts,
             labels: None,
+            objects: None,
+            masks: None,
             section_edges: Vec::new(),
             curves: Vec::new(),
             fingerprint: OnceLock::new(),
@@ -117,25 +129,15 @@ impl LineScene {
         if object_starts.is_empty() {
             object_starts.push(0);
         }
-        Ok(Self {
-            mesh,
-            object_starts,
-            labels: None,
-            section_edges: Vec::new(),
-            curves: Vec::new(),
-            fingerprint: OnceLock::new(),
-        })
+        Ok(Self::with_starts(mesh, object_starts))
     }
 
     /// The same scene with a label for each face, such as its material: lines are drawn between faces of different labels.
     ///
     /// # Errors
-    /// [`SceneError::Labels`].
+    /// [`SceneError::PerFace`].
     pub fn with_labels(mut self, labels: Vec<u32>) -> Result<Self, SceneError> {
-        let (labels_given, faces) = (labels.len(), self.mesh.mesh().face_count());
-        if labels_given != faces {
-            return Err(SceneError::Labels { labels: labels_given, faces });
-        }
+        self.check_per_face("labels", labels.len())?;
         self.labels = Some(labels);
         self.fingerprint = OnceLock::new();
         Ok(self)
@@ -161,16 +163,45 @@ impl LineScene {
         &self.section_edges
     }
 
+    /// The same scene with the object of each face, such as a part of a mesh. An edge between faces of two objects belongs to that
+    /// of its first face.
+    ///
+    /// # Errors
+    /// [`SceneError::PerFace`].
+    pub fn with_objects(mut self, objects: Vec<u32>) -> Result<Self, SceneError> {
+        self.check_per_face("objects", objects.len())?;
+        self.objects = Some(objects);
+        self.fingerprint = OnceLock::new();
+        Ok(self)
+    }
+
+    /// The same scene with a mask: faces that hide what is behind them without being drawn. Edges and lines of intersection of which
+    /// all faces are masked are not drawn; curves are, and so is the [outline](crate::LineFinder::outline).
+    ///
+    /// # Errors
+    /// [`SceneError::PerFace`].
+    pub fn with_masks(mut self, is_mask: Vec<bool>) -> Result<Self, SceneError> {
+        self.check_per_face("masks", is_mask.len())?;
+        self.masks = Some(is_mask);
+        self.fingerprint = OnceLock::new();
+        Ok(self)
+    }
+
+    fn check_per_face(&self, what: &'static str, given: usize) -> Result<(), SceneError> {
+        let faces = self.mesh.mesh().face_count();
+        if given == faces { Ok(()) } else { Err(SceneError::PerFace { what, given, faces }) }
+    }
+
     /// The same scene with smooth curves.
     ///
     /// # Errors
     /// [`SceneError::Curve`] names the first piece at fault.
     pub fn with_curves(mut self, curves: Vec<CurvePiece>) -> Result<Self, SceneError> {
-        let faces = self.mesh.mesh().face_count();
+        let (faces, objects) = (self.mesh.mesh().face_count(), self.object_count());
         let is_valid = |piece: &CurvePiece| {
             piece.control.iter().all(|point| point.is_finite())
                 && piece.on_faces.iter().all(|face| face.index() < faces)
-                && (piece.object as usize) < self.object_starts.len()
+                && (piece.object as usize) < objects
         };
         if let Some(piece) = curves.iter().position(|piece| !is_valid(piece)) {
             return Err(SceneError::Curve { piece });
@@ -192,12 +223,21 @@ impl LineScene {
 
     /// Number of objects, at least 1.
     pub fn object_count(&self) -> usize {
-        self.object_starts.len()
+        let most = |objects: &Vec<u32>| objects.iter().max().map_or(1, |&last| last as usize + 1);
+        self.objects.as_ref().map_or(self.object_starts.len(), most)
     }
 
     /// The object that a face belongs to. O(log objects).
     pub fn object_of(&self, face: FaceId) -> u32 {
+        if let Some(objects) = &self.objects {
+            return objects[face.index()];
+        }
         (self.object_starts.partition_point(|&start| start <= face.get()) - 1) as u32
+    }
+
+    /// Whether a line on these faces is drawn: unless all of them are masks.
+    pub(crate) fn is_drawn(&self, faces: impl IntoIterator<Item = FaceId>) -> bool {
+        self.masks.as_ref().is_none_or(|is_mask| faces.into_iter().any(|face| !is_mask[face.index()]))
     }
 
     /// The label of each face.
@@ -223,7 +263,7 @@ impl LineScene {
         mesh.positions().iter().for_each(|position| bits(position).hash(&mut hasher));
         mesh.triangles().hash(&mut hasher);
         self.object_starts.hash(&mut hasher);
-        self.labels.hash(&mut hasher);
+        (&self.labels, &self.objects, &self.masks).hash(&mut hasher);
         self.section_edges.hash(&mut hasher);
         for curve in &self.curves {
             curve.control.iter().for_each(|position| bits(position).hash(&mut hasher));
@@ -242,7 +282,7 @@ impl std::fmt::Debug for LineScene {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("LineScene")
             .field("faces", &self.mesh.mesh().face_count())
-            .field("objects", &self.object_starts.len())
+            .field("objects", &self.object_count())
             .field("labelled", &self.labels.is_some())
             .field("curves", &self.curves.len())
             .finish_non_exhaustive()

@@ -179,7 +179,8 @@ fn mesh_strokes(
     let stroke = |&(edge, kind, contour): &(EdgeId, LineKind, Option<&Contour>)| {
         let (vertices, ends) = contour.map_or_else(|| view.ends(edge), |contour| (contour.vertices, contour.ends));
         let first_face = view.topology.half_edges(edge)[0].face();
-        (ends[0] != ends[1]).then(|| Stroke {
+        let is_drawn = ends[0] != ends[1] && scene.is_drawn(view.topology.faces(edge));
+        is_drawn.then(|| Stroke {
             ends,
             vertices,
             source: SegmentSource::Edge(edge),
@@ -204,6 +205,9 @@ pub fn push_intersections(scene: &LineScene, found: &FaceIntersections, strokes:
     let mut first_free = scene.mesh().mesh().vertex_count() as u32;
     for (index, Intersection { ends, faces }) in found.as_slice().iter().enumerate() {
         first_free = first_free.max(ends[0].id + 1).max(ends[1].id + 1);
+        if !scene.is_drawn(*faces) {
+            continue;
+        }
         let stroke = Stroke {
             ends: ends.map(|end| end.place),
             vertices: ends.map(|end| end.id),

@@ -2,15 +2,19 @@
 
 mod arguments;
 mod format;
+mod parts;
 mod quick;
 mod section;
 mod smooth;
 mod stats;
+mod surprises;
+mod views;
 
 pub use arguments::LinesArguments;
 
 use arguments::HealDistance;
 use format::{Format, PageFormat};
+use parts::Parts;
 
 use crate::failure::{Failure, note};
 use crate::input;
@@ -21,7 +25,7 @@ use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, PlotError, PlotOptions};
-use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
+use silhouette_visibility::{LineError, LineScene, Lines};
 use std::time::Instant;
 
 /// Runs the command.
@@ -37,7 +41,11 @@ pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
 
 fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let format = Format::of(arguments.output.as_deref())?;
-    let options = arguments.plot_options()?;
+    let mut options = arguments.plot_options()?;
+    if arguments.views.views.is_some() && !matches!(format, Format::Page(_)) {
+        let mend = "end the output's name in .svg, .pdf, .dxf or .hpgl";
+        return Err(Failure::Input(format!("--views: several views need a page; {mend}")));
+    }
     let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
     if options.fill.is_some() && !format.fills() {
         note("--fill: only SVG, PDF and DXF have fills; nothing is filled");
@@ -46,37 +54,33 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
-    let mut meshes = meshes(arguments, &progress)?;
+    let (mut meshes, parts) = meshes(arguments, &progress)?;
     let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
-    let bounds = bounds(&meshes).ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
+    options.object_names = parts.names().to_vec();
+    let bounds = bounds(&meshes, parts.masks(&meshes).as_deref());
+    let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
     let section_edges = section::cut(&mut meshes, arguments.sections(), &names)?;
     let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
     let scene = scene.with_section_edges(section_edges).map_err(Failure::input)?;
-    let camera = arguments.camera.camera(&bounds)?;
-    options.check(&camera).map_err(of_plotting)?;
+    let masks = parts.masks(&meshes);
+    let drawn = masks.as_ref().map(|masks| parts::without_masks(&scene, masks)).transpose()?;
+    let views = views::Views::of(arguments, &bounds)?;
+    for camera in views.cameras() {
+        options.check(camera).map_err(of_plotting)?;
+    }
+    let topology = scene.mesh().artefact::<Topology>("lines", &progress)?;
+    let each: Vec<_> = meshes.iter().map(|(name, _)| name.as_str()).collect();
+    surprises::note_meshes(&scene, &topology, &each, arguments);
     let load = started.elapsed();
 
-    let started = Instant::now();
-    let mut wanted = arguments.line_options();
-    let scene = if arguments.smooth {
-        let (scene, of_curves) = smooth::scene(&meshes, &camera, &wanted, &progress)?;
-        wanted = of_curves;
-        scene
-    } else {
-        scene
-    };
-    let (prepare, lines) = if arguments.quick {
-        quick::find(&scene, &names, &camera, &wanted, &progress)?
-    } else {
-        let mut finder = LineFinder::new(scene.clone(), &progress)?;
-        (started.elapsed(), finder.find(&camera, &wanted, &progress).map_err(|error| of_finding(&names, error))?)
-    };
+    let shown = views::Shown { names: &names, meshes: &meshes, parts: &parts, scene: &scene, masks, drawn };
+    let (prepare, lines) = views.find(&shown, arguments, &progress)?;
 
     let mut bytes = Vec::new();
     let mut drawing = None;
     match format {
         Format::Page(format) => {
-            let drawing = drawing.insert(plot::plot(&lines, &options, &progress).map_err(of_plotting)?);
+            let drawing = drawing.insert(views.plot(&lines, arguments, &options, &progress)?);
             tell_what_is_cut_off(drawing, &options);
             let title = format!("Lines of {names}");
             let written = match format {
@@ -87,29 +91,36 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
             };
             written.map_err(Failure::run)?;
         }
-        Format::Json => bytes = json(&lines, &options, &scene, &meshes, &progress)?,
+        Format::Json => bytes = json(&lines[0], &options, &scene, &meshes, &progress)?,
         Format::Gltf(container) => {
-            plot::write_gltf(&lines, &options, container, &mut bytes).map_err(Failure::run)?;
+            plot::write_gltf(&lines[0], &options, container, &mut bytes).map_err(Failure::run)?;
         }
     }
+    surprises::note_empty(&scene, &lines[0], drawing.as_ref(), arguments);
     if arguments.stats {
         stats::print(&stats::Report { load, prepare, lines: &lines, drawing: drawing.as_ref(), bytes: bytes.len() });
     }
     output.write(&bytes)
 }
 
-/// What the meshes span together, before they are cut, so that pictures with and without a section lie upon each other.
-fn bounds(meshes: &[(String, LabelledMesh)]) -> Option<Bounds> {
-    let places = meshes.iter().flat_map(|(_, loaded)| {
-        let mesh = &loaded.mesh;
-        mesh.triangles().iter().flatten().map(|&vertex| mesh.positions()[vertex as usize])
+/// What the meshes span together but for masks, before they are cut, so that pictures with and without a section lie upon each
+/// other.
+fn bounds(meshes: &[(String, LabelledMesh)], is_mask: Option<&[bool]>) -> Option<Bounds> {
+    let faces = meshes.iter().flat_map(|(_, loaded)| {
+        let positions = loaded.mesh.positions();
+        loaded.mesh.triangles().iter().map(move |corners| corners.map(|vertex| positions[vertex as usize]))
     });
-    Bounds::of(places)
+    let drawn: Vec<_> = faces.enumerate().filter(|(face, _)| !is_mask.is_some_and(|masks| masks[*face])).collect();
+    Bounds::of(drawn.iter().flat_map(|(_, corners)| *corners))
 }
 
-/// The meshes with their names, welded and healed if that is asked for.
-fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
+/// The meshes with their names, welded and healed if that is asked for, and what their parts are.
+fn meshes(
+    arguments: &LinesArguments,
+    progress: &TerminalProgress,
+) -> Result<(Vec<(String, LabelledMesh)>, Parts), Failure> {
     let mut meshes = input::labelled_meshes(&arguments.meshes, progress)?;
+    let parts = parts::select(&mut meshes, &arguments.parts, arguments.smooth, progress)?;
     if let Some(distance) = arguments.weld {
         meshes.iter_mut().try_for_each(|(_, loaded)| input::weld(loaded, distance))?;
     }
@@ -123,7 +134,7 @@ fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec
     // Lines are right whichever way faces point, and so are their kinds.
     let winding = arguments.orient.winding(false);
     meshes.iter_mut().for_each(|(name, loaded)| winding.apply(name, loaded));
-    Ok(meshes)
+    Ok((meshes, parts))
 }
 
 /// Mends the T-junctions of a mesh.
@@ -142,6 +153,9 @@ fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result
     }
     if let Some(labels) = &mut loaded.labels {
         *labels = healed.face_of.iter().map(|face| labels[face.index()]).collect();
+    }
+    if let Some(parts) = &mut loaded.parts {
+        *parts = parts.of_faces(healed.face_of.iter().copied());
     }
     loaded.mesh = healed.mesh;
     Ok(())

@@ -35,6 +35,9 @@ pub fn cut(
         if let Some(labels) = &mut loaded.labels {
             *labels = part.face_of.iter().map(|face| labels[face.index()]).collect();
         }
+        if let Some(parts) = &mut loaded.parts {
+            *parts = parts.of_faces(part.face_of.iter().copied());
+        }
         loaded.mesh = part.mesh;
     }
     Ok(edges)

@@ -11,8 +11,8 @@ pub struct Report<'a> {
     pub load: Duration,
     /// Preparing them for any view.
     pub prepare: Duration,
-    /// What was found.
-    pub lines: &'a Lines,
+    /// What was found, view by view.
+    pub lines: &'a [Lines],
     /// What was drawn, where something was.
     pub drawing: Option<&'a Drawing>,
     /// Size of the file.
@@ -26,7 +26,8 @@ pub fn print(report: &Report<'_>) {
 }
 
 fn text(report: &Report<'_>) -> String {
-    let found = &report.lines.stats;
+    let found = report.lines.iter().map(|lines| lines.stats).reduce(|all, stats| all + stats).unwrap_or_default();
+    let chains = |count: fn(&Lines) -> usize| report.lines.iter().map(count).sum::<usize>();
     let times = |stages: &[(&str, Duration)]| {
         let stage = |(name, time): &(&str, Duration)| format!("{name} {:.2} ms", time.as_secs_f64() * 1e3);
         stages.iter().map(stage).collect::<Vec<_>>().join(", ")
@@ -53,8 +54,8 @@ fn text(report: &Report<'_>) -> String {
                 found.events,
                 found.sight_lines,
                 found.pieces,
-                report.lines.chains.len(),
-                report.lines.chains.point_count()
+                chains(|lines| lines.chains.len()),
+                chains(|lines| lines.chains.point_count())
             ),
         ),
     ];

@@ -3,6 +3,7 @@
 use super::concave::Polygons;
 use super::error::{Located, Place, Problem};
 use super::notes::Note;
+use super::parts::{NO_PART, Part, Parts};
 use super::polygon::{fan, sides};
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
@@ -15,6 +16,8 @@ pub struct LabelledMesh {
     /// A number for each face, the same for faces of one material and one group; `None` where the file makes no
     /// difference between any two.
     pub labels: Option<Vec<u32>>,
+    /// What the file calls its parts; `None` where it names none.
+    pub parts: Option<Parts>,
     /// Edges of the mesh at which the file says that the surface is sharp, as pairs of vertex ids, lower first, sorted,
     /// each once. OBJ says so by smoothing groups (`s`), if not all faces are in the same one, and by line elements (`l`); every
     /// side of a face in group 0 (`s off`) is sharp, the face being shaded flat. glTF says so by the hard edges of the extension
@@ -33,6 +36,9 @@ pub(super) struct Assembly {
     pub(super) feature_edges: Vec<[u32; 2]>,
     /// From which triangle on which label holds; 0 before the first.
     label_runs: Vec<(usize, u32)>,
+    /// From which triangle on which part holds; none before the first.
+    part_runs: Vec<(usize, u32)>,
+    pub(super) parts: Vec<Part>,
     polygons: Polygons,
     /// How many faces had fewer than three corners, and where the first one stood.
     few_corners: Option<(u64, Place)>,
@@ -58,35 +64,50 @@ impl Assembly {
         }
     }
 
+    /// Says to which of the `parts` the triangles belong that follow.
+    pub(super) fn begin_part(&mut self, part: u32) {
+        self.part_runs.push((self.triangles.len(), part));
+    }
+
     /// The finished mesh.
     pub(super) fn finish(mut self) -> Result<LabelledMesh, Located> {
         if self.triangles.is_empty() {
             return Err(Problem::NoFaces.into());
         }
-        let labels = self.labels();
+        let labels = labels(&self.label_runs, self.triangles.len());
+        let is_named = self.parts.iter().any(|part| !part.names.is_empty());
+        let of_face = is_named.then(|| of_faces(&self.part_runs, NO_PART, self.triangles.len()));
+        let parts = of_face.map(|of_face| Parts::new(self.parts, of_face));
         let crossing = self.polygons.triangulate(&self.positions, &mut self.triangles);
         let few_corners = self.few_corners.map(|(count, first)| Note::FewCorners { count, first });
         let no_end = self.has_no_end.then_some(Note::NoEnd);
         let notes = few_corners.into_iter().chain(crossing).chain(no_end).collect();
         let feature_edges = edges_among(self.feature_edges, &self.triangles);
         let mesh = TriangleMesh::new(self.positions, self.triangles)?;
-        Ok(LabelledMesh { mesh, labels, feature_edges, notes })
+        Ok(LabelledMesh { mesh, labels, parts, feature_edges, notes })
     }
+}
 
-    /// The label of each triangle, if there are two.
-    fn labels(&self) -> Option<Vec<u32>> {
-        let mut labels = Vec::new();
-        if !self.label_runs.is_empty() {
-            labels.reserve_exact(self.triangles.len());
-        }
-        let ends = self.label_runs.iter().skip(1).map(|&(begin, _)| begin).chain([self.triangles.len()]);
-        for (&(begin, label), end) in self.label_runs.iter().zip(ends) {
-            labels.resize(begin, 0);
-            labels.resize(end, label);
-        }
-        let first = *labels.first()?;
-        labels.iter().any(|&label| label != first).then_some(labels)
+/// What holds for each of so many triangles, of runs that begin at some of them; `before` holds before the first.
+fn of_faces(runs: &[(usize, u32)], before: u32, triangles: usize) -> Vec<u32> {
+    let mut of_face = Vec::with_capacity(triangles);
+    let mut last = before;
+    for &(begin, next) in runs {
+        of_face.resize(begin, last);
+        last = next;
     }
+    of_face.resize(triangles, last);
+    of_face
+}
+
+/// The label of each triangle, if there are two.
+fn labels(runs: &[(usize, u32)], triangles: usize) -> Option<Vec<u32>> {
+    if runs.is_empty() {
+        return None;
+    }
+    let labels = of_faces(runs, 0, triangles);
+    let first = *labels.first()?;
+    labels.iter().any(|&label| label != first).then_some(labels)
 }
 
 /// Those of some pairs of vertices that are sides of triangles, lower vertex first, sorted, each once. O(F) without pairs,

@@ -21,6 +21,7 @@ use self::dangling::dangling;
 use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Place, Problem, quote};
+use super::parts::Part;
 use super::polygon::{fan, strip};
 use crate::progress::Progress;
 use ::gltf::json::accessor::Accessor;
@@ -30,6 +31,7 @@ use ::gltf::json::validation::Checked;
 use ::gltf::json::{Index, Mesh, Root};
 use glam::{DMat4, DQuat, DVec3, Vec3};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Extensions that store triangles in a way that is not read.
 const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
@@ -53,34 +55,47 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress)
         return Err(Problem::Unsupported { what, mend: "export without mesh compression" }.into());
     }
     let edges = EdgeExtensions::of(json, &root)?;
-    let placed = place_meshes(&root)?;
+    let mut assembly = Assembly::default();
+    let placed = place_meshes(&root, &mut assembly.parts)?;
     progress.stage("assembling meshes", placed.len() as u64);
-    let (buffers, assembly) = (Buffers::new(blob, folder), Assembly::default());
+    let buffers = Buffers::new(blob, folder);
     let mut scene = SceneReader { root: &root, edges: &edges, buffers, assembly, faces: 0 };
     scene.check_unfolding(&placed, bytes.len() as u64)?;
-    for (mesh, world) in placed {
+    for Placed { mesh, world, part } in placed {
         progress.check()?;
+        scene.assembly.begin_part(part);
         scene.each_surface(mesh, |scene, surface| scene.surface(&surface, world))?;
         progress.advance(1);
     }
     scene.assembly.finish()
 }
 
-/// The meshes that the scene places, each with its matrix, in the order of traversal.
-fn place_meshes(root: &Root) -> Result<Vec<(Index<Mesh>, DMat4)>, Located> {
+/// A mesh that the scene places.
+struct Placed {
+    mesh: Index<Mesh>,
+    world: DMat4,
+    /// The part that it is.
+    part: u32,
+}
+
+/// The meshes that the scene places, in the order of traversal. Each node that is visited becomes a part.
+fn place_meshes(root: &Root, parts: &mut Vec<Part>) -> Result<Vec<Placed>, Located> {
     let scene = root.scene.map_or_else(|| root.scenes.first(), |index| root.scenes.get(index.value()));
     let roots: Vec<usize> = match scene {
         Some(scene) => scene.nodes.iter().map(Index::value).collect(),
         None if root.scene.is_some() => return Err(missing("scene", "scenes", root.scenes.len())),
         None if root.nodes.is_empty() => {
-            return Ok((0..root.meshes.len()).map(|mesh| (Index::new(mesh as u32), DMat4::IDENTITY)).collect());
+            let names = root.meshes.iter().map(|mesh| Part { names: name(mesh.name.as_ref()), parent: None });
+            parts.extend(names);
+            let placed = |mesh| Placed { mesh: Index::new(mesh), world: DMat4::IDENTITY, part: mesh };
+            return Ok((0..root.meshes.len() as u32).map(placed).collect());
         }
         None => roots_of(root),
     };
     let mut placed = Vec::new();
     let mut visited = vec![false; root.nodes.len()];
-    let mut pending: Vec<(usize, DMat4)> = roots.iter().rev().map(|&node| (node, DMat4::IDENTITY)).collect();
-    while let Some((index, parent)) = pending.pop() {
+    let mut pending: Vec<_> = roots.iter().rev().map(|&node| (node, DMat4::IDENTITY, None)).collect();
+    while let Some((index, parent, above)) = pending.pop() {
         let element = || format!("nodes[{index}]");
         let node = root.nodes.get(index).ok_or_else(|| missing(&element(), "nodes", root.nodes.len()))?;
         if std::mem::replace(&mut visited[index], true) {
@@ -89,13 +104,20 @@ fn place_meshes(root: &Root) -> Result<Vec<(Index<Mesh>, DMat4)>, Located> {
             return Err(at_element(element(), problem));
         }
         let world = parent * local_matrix(node);
+        let part = parts.len() as u32;
+        let of_mesh = || node.mesh.and_then(|mesh| root.meshes.get(mesh.value())?.name.as_ref());
+        parts.push(Part { names: name(node.name.as_ref().or_else(of_mesh)), parent: above });
         if let Some(mesh) = node.mesh {
-            placed.push((mesh, if node.skin.is_some() { DMat4::IDENTITY } else { world }));
+            placed.push(Placed { mesh, world: if node.skin.is_some() { DMat4::IDENTITY } else { world }, part });
         }
         let children = node.children.as_deref().unwrap_or_default();
-        pending.extend(children.iter().rev().map(|child| (child.value(), world)));
+        pending.extend(children.iter().rev().map(|child| (child.value(), world, Some(part))));
     }
     Ok(placed)
+}
+
+fn name(name: Option<&String>) -> Arc<[String]> {
+    name.filter(|name| !name.is_empty()).cloned().into_iter().collect()
 }
 
 /// The nodes that are nobody's children, for a document without scenes.
@@ -161,10 +183,10 @@ struct SceneReader<'a> {
 impl<'a> SceneReader<'a> {
     /// Refuses a scene that grows out of proportion to its bytes, before memory is taken for it. The number of its
     /// vertices then fits 32 bits.
-    fn check_unfolding(&mut self, placed: &[(Index<Mesh>, DMat4)], input: u64) -> Result<(), Located> {
+    fn check_unfolding(&mut self, placed: &[Placed], input: u64) -> Result<(), Located> {
         let mut size_of = vec![None; self.root.meshes.len()];
         let mut count = 0_u64;
-        for &(index, _) in placed {
+        for index in placed.iter().map(|placed| placed.mesh) {
             let size = match size_of.get(index.value()).copied().flatten() {
                 Some(size) => size,
                 None => {

@@ -2,7 +2,7 @@
 //!
 //! | format | vertex ids | read |
 //! |---|---|---|
-//! | OBJ | `v` rows | `v`, `f`, `usemtl`, `g`, `s`, `l`; groups and objects never renumber |
+//! | OBJ | `v` rows | `v`, `f`, `usemtl`, `o`, `g`, `s`, `l`; groups and objects never renumber |
 //! | PLY | rows of `vertex` | text and binary; `face`, `tristrips` |
 //! | OFF | vertex rows | text; `[ST][C][N]OFF` |
 //! | STL | equal positions joined, in order of appearance | text and binary |
@@ -13,7 +13,7 @@
 //! Unreferenced vertices are kept. Convex polygons are fanned from their first corner, other simple polygons are cut into
 //! triangles that cover them once, seen along their normal; so no corner is lost, and neighbours still share their edges.
 //! Faces of one or two corners are left out. Texture and normal seams never split a vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
-//! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials) and which edges are sharp
+//! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials), what parts are called (OBJ's `o` and `g`, glTF's nodes), and which edges are sharp
 //! (OBJ's `s` and `l`, glTF's `EXT_mesh_primitive_edge_visibility`); everything else that a vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
 //!
 //! Lines may end in `\n`, `\r\n` or `\r`. Where a format gives lines no meaning (OFF, text PLY, text STL), rows may be broken or
@@ -47,6 +47,7 @@ mod notes;
 mod obj;
 #[cfg(feature = "off")]
 mod off;
+mod parts;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
@@ -62,6 +63,7 @@ pub use format::Format;
 #[cfg(feature = "tobj")]
 pub use from_tobj::FromTobjError;
 pub use notes::Note;
+pub use parts::{Part, Parts};
 
 use self::error::Located;
 use self::steps::Steps;

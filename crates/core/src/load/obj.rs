@@ -1,5 +1,5 @@
-//! Wavefront OBJ: `v` rows and `f` rows; `usemtl` and `g` rows, whose names make labels; `s` and `l` rows, which make
-//! feature edges; every other row is passed over.
+//! Wavefront OBJ: `v` rows and `f` rows; `usemtl` and `g` rows, whose names make labels; `o` and `g` rows, which name parts; `s`
+//! and `l` rows, which make feature edges; every other row is passed over.
 //!
 //! A vertex id is the rank of its `v` row, whatever groups and objects stand between. Of a corner `v/vt/vn` only `v`
 //! counts. A face may name vertices by number from 1, in rows that come later too, or backwards from the row reached so
@@ -10,6 +10,7 @@ use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem};
 use super::feature_edges::FeatureEdges;
 use super::lines::{Lines, Words};
+use super::parts::PartRows;
 use super::steps::Steps;
 use glam::Vec3;
 use std::collections::HashMap;
@@ -59,6 +60,7 @@ struct Reader {
     /// The highest vertex number that was named before its row was read.
     ahead: Option<Ahead>,
     sorts: Sorts,
+    parts: PartRows,
     feature_edges: FeatureEdges,
 }
 
@@ -126,7 +128,12 @@ impl Reader {
                 self.sorts.name(MATERIAL, words);
                 Ok(())
             }
+            b"o" => {
+                self.parts.object(words);
+                Ok(())
+            }
             b"g" => {
+                self.parts.groups(words.clone());
                 self.sorts.name(GROUPS, words);
                 Ok(())
             }
@@ -163,6 +170,9 @@ impl Reader {
         }
         if let Some(label) = self.sorts.changed_label() {
             self.assembly.begin_label(label);
+        }
+        if let Some(part) = self.parts.changed_part() {
+            self.assembly.begin_part(part);
         }
         let first = self.assembly.triangles.len();
         self.assembly.polygon(&self.corners, || words.place());
@@ -228,12 +238,13 @@ impl Reader {
         Problem::VertexOutOfRange { face, index, allowed }
     }
 
-    fn finish(self) -> Result<LabelledMesh, Located> {
+    fn finish(mut self) -> Result<LabelledMesh, Located> {
         if let Some(ahead) = &self.ahead
             && ahead.number > self.assembly.positions.len() as i64
         {
             return Err(self.out_of_range(ahead.face, ahead.number).at_line(ahead.line));
         }
+        self.assembly.parts = self.parts.parts;
         let mut labelled = self.assembly.finish()?;
         labelled.feature_edges = self.feature_edges.of_mesh(labelled.mesh.triangles());
         Ok(labelled)

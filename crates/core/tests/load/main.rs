@@ -10,6 +10,7 @@ mod independent_reader;
 mod mutated;
 mod obj;
 mod off;
+mod parts;
 mod paths;
 mod ply;
 mod polygons;

@@ -1,7 +1,7 @@
 //! Lines as glTF 2.0: geometry in the space of the mesh, for any viewer that shows the mesh.
 
 use super::layer::LayerName;
-use super::options::{Hidden, PlotOptions};
+use super::options::PlotOptions;
 use super::pen::Colour;
 use crate::chains::Chain;
 use crate::lines::Lines;
@@ -54,14 +54,12 @@ pub fn write_gltf(
 ) -> io::Result<()> {
     let mut root = Root::default();
     for name in LayerName::all() {
-        if name.is_hidden() && options.hidden == Hidden::Drop {
-            continue;
-        }
+        let Some(pen) = name.pen(options) else { continue };
         let mut geometry = Geometry::default();
         lines.chains.iter().filter(|chain| LayerName::of(chain.style) == name).for_each(|chain| geometry.push(&chain));
         if let (LayerName::Lines { kind, visible }, false) = (name, geometry.indices.is_empty()) {
             let extras = json!({ "kind": kind.name(), "visible": visible });
-            root.push(name, options.pens.of(kind).colour, &extras, &geometry);
+            root.push(name, pen.colour, &extras, &geometry);
         }
     }
     match container {

@@ -3,10 +3,11 @@
 use super::length::Unit;
 use super::options::{Hidden, PlotOptions};
 use super::paths::Paths;
-use super::pen::{Dash, Pen};
+use super::pen::Pen;
 use crate::chains::ChainStyle;
 use crate::kind::LineKind;
 use std::fmt;
+use std::ops::Range;
 
 /// What a layer holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -21,6 +22,13 @@ pub enum LayerName {
     /// The outermost outline.
     Outline,
 }
+
+/// The number of the first hidden kind less that of the first visible one.
+const HIDDEN: u32 = 20;
+/// The number of the outline.
+const OUTLINE: u32 = 40;
+/// Numbers that layers of one object may have.
+const PER_OBJECT: u64 = 100;
 
 impl LayerName {
     /// The layer that chains of this style belong to.
@@ -40,22 +48,32 @@ impl LayerName {
         matches!(self, Self::Lines { visible: false, .. })
     }
 
+    /// Its number, the same in every drawing, so that files of different views have each kind in the same layer: from 1 for
+    /// visible lines and from 21 for hidden ones, in the order of [`LineKind::ALL`]; 40 for the outline.
+    pub const fn number(self) -> u32 {
+        match self {
+            Self::Lines { kind, visible } => kind as u32 + 1 + if visible { 0 } else { HIDDEN },
+            Self::Outline => OUTLINE,
+        }
+    }
+
     /// An identifier such as `silhouette-visible`.
     pub fn id(self) -> String {
         self.to_string().replace(' ', "-")
     }
 
-    /// Its pen and its pattern; `None` where the options drop it.
-    pub(super) fn pen(self, options: &PlotOptions) -> Option<(Pen, Option<Dash>)> {
+    /// Its pen, with its pattern; `None` where the options drop it.
+    pub(super) fn pen(self, options: &PlotOptions) -> Option<Pen> {
         let pen = match self {
-            Self::Lines { kind, .. } => *options.pens.of(kind),
+            Self::Lines { kind, visible: true } => *options.pens.of(kind),
+            Self::Lines { kind, visible: false } => *options.pens.of_hidden(kind),
             Self::Outline if !options.outline => return None,
             Self::Outline => options.pens.outline,
         };
         match options.hidden {
             Hidden::Drop if self.is_hidden() => None,
-            Hidden::Dashed(dash) if self.is_hidden() => Some((pen, Some(dash))),
-            _ => Some((pen, pen.dash)),
+            Hidden::Dashed(dash) if self.is_hidden() => Some(Pen { dash: pen.dash.or(Some(dash)), ..pen }),
+            _ => Some(pen),
         }
     }
 }
@@ -72,19 +90,66 @@ impl fmt::Display for LayerName {
     }
 }
 
+/// What the lines of a drawing are parted by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum LayersBy {
+    /// One layer per kind of line, visible and hidden apart.
+    #[default]
+    Kind,
+    /// One layer per object, all kinds in it.
+    Object,
+    /// One layer per kind of each object.
+    Both,
+}
+
 /// What is drawn with one pen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
     /// What it holds.
     pub name: LayerName,
+    /// The number of the file's layer that it is, or a part of: those of one number follow each other.
+    pub number: u64,
+    /// What the file calls that layer.
+    pub label: String,
     /// With what it is drawn. The pattern is already cut into the paths.
     pub pen: Pen,
     /// Its paths in page units, in the order in which they are drawn. Those of the outline are polygons that belong
     /// together, to be filled by the even-odd rule.
     pub paths: Paths,
+    /// Which paths belong to which view, where there are several on the page.
+    pub views: Vec<(&'static str, Range<usize>)>,
+    /// Its place in the file: object, if layers are by object, and rank of its name.
+    pub(super) order: (u32, usize),
 }
 
 impl Layer {
+    /// An empty one at a place in the file.
+    pub(super) fn new((object, rank): (u32, usize), name: LayerName, pen: Pen, options: &PlotOptions) -> Self {
+        let called = || options.object_names.get(object as usize).map_or("object", String::as_str);
+        let (number, label) = match options.layers {
+            _ if name == LayerName::Outline => (u64::from(name.number()), name.to_string()),
+            LayersBy::Kind => (u64::from(name.number()), name.to_string()),
+            // The outline's number stays free.
+            LayersBy::Object => (u64::from(object) + if object + 1 < OUTLINE { 1 } else { 2 }, called().to_owned()),
+            LayersBy::Both => {
+                let number = (u64::from(object) + 1) * PER_OBJECT + u64::from(name.number());
+                (number, format!("{} {name}", called()))
+            }
+        };
+        Self { name, number, label, pen, paths: Paths::default(), views: Vec::new(), order: (object, rank) }
+    }
+
+    /// An identifier of the file's layer, such as `silhouette-visible`; `layer-2` and so on where layers are by object.
+    pub fn id(&self) -> String {
+        if self.label == self.name.to_string() { self.name.id() } else { format!("layer-{}", self.number) }
+    }
+
+    /// An identifier of what one pen draws in the file's layer: that of the layer, with its own name where the layer has several.
+    pub(super) fn entry_id(&self) -> String {
+        let (id, of_kind) = (self.id(), self.name.id());
+        if id.ends_with(&of_kind) { id } else { format!("{id}-{of_kind}") }
+    }
+
     /// The pen's width in a unit.
     pub fn width(&self, unit: Unit) -> f64 {
         self.pen.width.to(unit)
@@ -105,5 +170,23 @@ mod tests {
         ids.sort();
         ids.dedup();
         assert_eq!(ids.len(), all.len());
+    }
+
+    #[test]
+    fn numbers_are_fixed_and_differ() {
+        let mut numbers: Vec<u32> = LayerName::all().map(LayerName::number).collect();
+        numbers.sort_unstable();
+        let kinds = LineKind::ALL.len() as u32;
+        let expected: Vec<u32> = (1..=kinds).chain(21..=20 + kinds).chain([40]).collect();
+        assert_eq!(numbers, expected);
+        let pen = Pen::new(super::super::length::Length::mm(0.5));
+        let ridge = LayerName::Lines { kind: LineKind::Ridge, visible: true };
+        for layers in [LayersBy::Object, LayersBy::Both] {
+            let options = PlotOptions { layers, object_names: vec!["a".to_owned()], ..PlotOptions::default() };
+            let numbers: Vec<u64> = (0..200).map(|at| Layer::new((at, 0), ridge, pen, &options).number).collect();
+            assert!(numbers.is_sorted() && !numbers.contains(&u64::from(OUTLINE)));
+            assert_eq!(numbers[0], if layers == LayersBy::Object { 1 } else { 103 });
+            assert!(Layer::new((0, 0), ridge, pen, &options).label.starts_with('a'));
+        }
     }
 }

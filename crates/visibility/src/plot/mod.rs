@@ -8,6 +8,8 @@
 //! 6. `dash`(mod@dash): hidden lines are cut into strokes and gaps
 //! 7. `order`(mod@order): the lifted pen travels little
 //!
+//! Several views on one page are plotted each by itself, at one scale: `views`(mod@views).
+//!
 //! What comes out is a [`Drawing`], written by [`Drawing::write_svg`], [`Drawing::write_pdf`], [`Drawing::write_dxf`] or
 //! [`Drawing::write_hpgl`]. [`write_json`] and [`write_gltf`] write the lines themselves, before any of these steps.
 
@@ -35,12 +37,13 @@ mod pdf;
 mod pen;
 mod place;
 mod svg;
+mod views;
 
 pub use drop_short::Dropped;
 pub use fill::Fill;
 pub use gltf::{GltfContainer, write_gltf};
 pub use json::{EndPoints, write_json};
-pub use layer::{Layer, LayerName};
+pub use layer::{Layer, LayerName, LayersBy};
 pub use length::{Length, ParseLengthError, Unit};
 pub use options::{Cap, Hidden, Join, PlotError, PlotOptions};
 pub use order::Travel;
@@ -48,11 +51,12 @@ pub use page::{Fit, Page, ParsePageError, Sheet};
 pub use paths::{Path, Paths, Segment};
 pub use pen::{Colour, Dash, ParseColourError, Pen, Pens};
 pub use place::Placement;
+pub use views::{ProjectionAngle, SheetView, plot_views};
 
-use crate::chains::Chain;
 use crate::lines::Lines;
 use rayon::prelude::*;
 use silhouette_core::progress::Progress;
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 /// Strokes on a page.
@@ -97,6 +101,24 @@ pub struct PlotStats {
     pub order: Duration,
 }
 
+impl PlotStats {
+    /// Adds what was done for another view of the same page.
+    fn add(&mut self, other: &Self) {
+        self.paths += other.paths;
+        self.points += other.points;
+        self.points_placed += other.points_placed;
+        self.drawn += other.drawn;
+        self.cut_off += other.cut_off;
+        self.repeats += other.repeats;
+        self.dropped.paths += other.dropped.paths;
+        self.dropped.length += other.dropped.length;
+        self.travel.before += other.travel.before;
+        self.travel.after += other.travel.after;
+        self.prepare += other.prepare;
+        self.order += other.order;
+    }
+}
+
 /// The placement of a view on the page that the options name; what [`plot`] uses. O(points).
 ///
 /// # Errors
@@ -112,8 +134,18 @@ pub fn placement(lines: &Lines, options: &PlotOptions) -> Result<Placement, Plot
 /// # Errors
 /// [`PlotError`] where the options cannot be honoured, or `progress` asks to stop.
 pub fn plot(lines: &Lines, options: &PlotOptions, progress: &dyn Progress) -> Result<Drawing, PlotError> {
-    let start = Instant::now();
     let placement = placement(lines, options)?;
+    plot_placed(lines, options, placement, progress)
+}
+
+/// The same at a given place on the page.
+fn plot_placed(
+    lines: &Lines,
+    options: &PlotOptions,
+    placement: Placement,
+    progress: &dyn Progress,
+) -> Result<Drawing, PlotError> {
+    let start = Instant::now();
     let mut stats = PlotStats::default();
     let mut layers = place_layers(lines, options, &placement, &mut stats);
     progress.check()?;
@@ -150,20 +182,37 @@ pub fn plot(lines: &Lines, options: &PlotOptions, progress: &dyn Progress) -> Re
     Ok(Drawing { placement, cap: options.cap, join: options.join, fill, layers, stats })
 }
 
-/// One layer a name that has a pen and lines.
+/// One layer per name that has a pen and lines, and per object where layers are parted by objects.
 fn place_layers(lines: &Lines, options: &PlotOptions, placement: &Placement, stats: &mut PlotStats) -> Vec<Layer> {
+    let names: Vec<LayerName> = LayerName::all().collect();
+    let mut chains_of: BTreeMap<(u32, usize), Vec<usize>> = BTreeMap::new();
+    let mut rank_of_last: Option<(LayerName, usize)> = None;
+    for (index, chain) in lines.chains.iter().enumerate() {
+        let name = LayerName::of(chain.style);
+        // Chains of one style follow each other.
+        let rank = rank_of_last.filter(|(last, _)| *last == name).map(|(_, rank)| rank);
+        let rank = rank.unwrap_or_else(|| names.iter().position(|other| *other == name).expect("all names are listed"));
+        rank_of_last = Some((name, rank));
+        let object = if options.layers == LayersBy::Kind { 0 } else { chain.style.object };
+        chains_of.entry((object, rank)).or_default().push(index);
+    }
+    if !lines.outline.rings.is_empty() {
+        let last = chains_of.keys().next_back().map_or(0, |(object, _)| *object);
+        chains_of.insert((last, names.len() - 1), Vec::new());
+    }
     let mut layers = Vec::new();
-    for name in LayerName::all() {
-        let Some((pen, dash)) = name.pen(options) else { continue };
-        let mut paths = Paths::default();
-        if name == LayerName::Outline {
-            stats.cut_off += place::place_outline(&lines.outline.rings, &lines.camera, placement, &mut paths);
+    for (order, chains) in chains_of {
+        let name = names[order.1];
+        let Some(pen) = name.pen(options) else { continue };
+        let mut layer = Layer::new(order, name, pen, options);
+        stats.cut_off += if name == LayerName::Outline {
+            place::place_outline(&lines.outline.rings, &lines.camera, placement, &mut layer.paths)
         } else {
-            let chains = lines.chains.iter().filter(|chain: &Chain<'_>| LayerName::of(chain.style) == name);
-            stats.cut_off += place::place(chains, &lines.camera, placement, &mut paths);
-        }
-        stats.points_placed += paths.point_count() as u64;
-        layers.push(Layer { name, pen: Pen { dash, ..pen }, paths });
+            let chains = chains.iter().map(|&index| lines.chains.get(index));
+            place::place(chains, &lines.camera, placement, &mut layer.paths)
+        };
+        stats.points_placed += layer.paths.point_count() as u64;
+        layers.push(layer);
     }
     layers
 }

@@ -1,5 +1,6 @@
 //! [`PlotOptions`]: how lines become strokes on a page, and [`PlotError`]: why they cannot.
 
+use super::layer::LayersBy;
 use super::length::{Length, Unit};
 use super::page::{Fit, Sheet};
 use super::pen::{Colour, Dash, Pens};
@@ -51,6 +52,10 @@ pub struct PlotOptions {
     pub hidden: Hidden,
     /// With what the kinds are drawn. Default: see [`Pens`].
     pub pens: Pens,
+    /// What layers are parted by. Default: kinds.
+    pub layers: LayersBy,
+    /// What objects are called in layers of their own, in order. Default: none; each is called `object` then.
+    pub object_names: Vec<String>,
     /// How strokes end. Default: round, as a pen leaves them.
     pub cap: Cap,
     /// How segments meet. Default: round.
@@ -77,6 +82,8 @@ impl Default for PlotOptions {
             sheet: Some(Sheet::default()),
             hidden: Hidden::Drop,
             pens: Pens::default(),
+            layers: LayersBy::default(),
+            object_names: Vec::new(),
             cap: Cap::Round,
             join: Join::Round,
             merge_tolerance: Length::mm(0.01),
@@ -164,6 +171,9 @@ pub enum PlotError {
     /// True scale was asked for of a perspective.
     #[error("true scale needs an orthographic view: a perspective has another scale at each depth")]
     ScaleOfPerspective,
+    /// Several views that do not share a page.
+    #[error("several views need a page, and orthographic cameras of one scale that look at one point")]
+    Views,
     /// A length that may not be negative is.
     #[error("the {what} of {length} must be a length from 0")]
     Negative {

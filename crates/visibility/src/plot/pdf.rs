@@ -82,7 +82,7 @@ impl Drawing {
 
     /// The names of the groups, the fill's first.
     fn group_names(&self) -> impl Iterator<Item = String> {
-        let layers = (1..).zip(&self.layers).map(|(number, layer): (usize, _)| format!("{number} {}", layer.name));
+        let layers = self.layers.iter().map(|layer| format!("{} {}", layer.number, layer.label));
         self.fill.iter().map(|_| "fill".to_owned()).chain(layers)
     }
 

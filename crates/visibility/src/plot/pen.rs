@@ -72,36 +72,47 @@ impl Pen {
     }
 }
 
-/// One pen a kind of line, and one for the outline.
+/// Two pens per kind of line, for its visible and for its hidden parts, and one for the outline.
 ///
 /// Default: black; widths of ISO 128, 0.5 mm for silhouettes, boundaries and smooth curves, 0.7 mm for sections and the outline,
-/// 0.18 mm for plain mesh edges and 0.35 mm for the others.
+/// 0.18 mm for plain mesh edges and 0.35 mm for the others; hidden parts as visible ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pens {
     of_kind: [Pen; LineKind::ALL.len()],
+    of_hidden: [Pen; LineKind::ALL.len()],
     /// The outline's.
     pub outline: Pen,
 }
 
 impl Pens {
-    /// The pen of a kind.
+    /// The pen of a kind's visible parts.
     pub fn of(&self, kind: LineKind) -> &Pen {
         &self.of_kind[kind as usize]
     }
 
-    /// The pen of a kind, to be changed.
+    /// The pen of a kind's visible parts, to be changed.
     pub fn of_mut(&mut self, kind: LineKind) -> &mut Pen {
         &mut self.of_kind[kind as usize]
     }
 
+    /// The pen of a kind's hidden parts. Its pattern takes the place of [`Hidden::Dashed`](super::Hidden::Dashed)'s.
+    pub fn of_hidden(&self, kind: LineKind) -> &Pen {
+        &self.of_hidden[kind as usize]
+    }
+
+    /// The pen of a kind's hidden parts, to be changed.
+    pub fn of_hidden_mut(&mut self, kind: LineKind) -> &mut Pen {
+        &mut self.of_hidden[kind as usize]
+    }
+
     /// All pens, the outline's last.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut Pen> {
-        self.of_kind.iter_mut().chain([&mut self.outline])
+        self.of_kind.iter_mut().chain(&mut self.of_hidden).chain([&mut self.outline])
     }
 
     /// All pens, the outline's last.
     pub fn iter(&self) -> impl Iterator<Item = &Pen> {
-        self.of_kind.iter().chain([&self.outline])
+        self.of_kind.iter().chain(&self.of_hidden).chain([&self.outline])
     }
 }
 
@@ -114,7 +125,7 @@ impl Default for Pens {
             LineKind::Mesh => 0.18,
         };
         let of_kind = LineKind::ALL.map(|kind| Pen::new(Length::mm(width_mm(kind))));
-        Self { of_kind, outline: Pen::new(Length::mm(0.7)) }
+        Self { of_kind, of_hidden: of_kind, outline: Pen::new(Length::mm(0.7)) }
     }
 }
 
@@ -137,10 +148,12 @@ mod tests {
         let mut pens = Pens::default();
         for kind in LineKind::ALL {
             pens.of_mut(kind).width = Length::mm(f64::from(kind as u8) + 1.0);
+            pens.of_hidden_mut(kind).width = Length::mm(f64::from(kind as u8) + 51.0);
         }
         for kind in LineKind::ALL {
             assert_eq!(pens.of(kind).width, Length::mm(f64::from(kind as u8) + 1.0));
+            assert_eq!(pens.of_hidden(kind).width, Length::mm(f64::from(kind as u8) + 51.0));
         }
-        assert_eq!(pens.iter().count(), LineKind::ALL.len() + 1);
+        assert_eq!(pens.iter().count(), 2 * LineKind::ALL.len() + 1);
     }
 }

@@ -77,13 +77,17 @@ impl Placement {
 }
 
 /// The largest factor by which a picture fits into the room; 1 for a point.
-fn fitting(picture: DVec2, room: DVec2) -> f64 {
+pub(super) fn fitting(picture: DVec2, room: DVec2) -> f64 {
     let factors = (room / picture).to_array().into_iter().filter(|factor| factor.is_finite());
     factors.reduce(f64::min).unwrap_or(1.0)
 }
 
 /// The smallest rectangle around what the viewport shows of the lines (of curves: around their handles, too).
-fn extent<'a>(view: Rectangle, chains: impl Iterator<Item = Chain<'a>>, outline: &[Vec<DVec2>]) -> Option<Rectangle> {
+pub(super) fn extent<'a>(
+    view: Rectangle,
+    chains: impl Iterator<Item = Chain<'a>>,
+    outline: &[Vec<DVec2>],
+) -> Option<Rectangle> {
     let mut seen: Option<Rectangle> = None;
     let mut see = |point: DVec2| match &mut seen {
         Some(seen) => {
@@ -178,7 +182,7 @@ pub fn place_outline(outline: &[Vec<DVec2>], camera: &Camera, placement: &Placem
     cut_off.max(0.0) * placement.scale
 }
 
-fn viewport(camera: &Camera) -> Rectangle {
+pub(super) fn viewport(camera: &Camera) -> Rectangle {
     Rectangle { min: DVec2::ZERO, max: DVec2::from_array(camera.size().map(f64::from)) }
 }
 

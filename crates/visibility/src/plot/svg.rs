@@ -1,22 +1,23 @@
 //! A drawing as SVG: one Inkscape layer a pen.
 
 use super::Drawing;
-use super::decimal::{self, number, printed, push_steps};
+use super::decimal::{number, printed, push_steps};
 use super::fill::Fill;
 use super::layer::{Layer, LayerName};
 use super::options::{Cap, Join};
 use super::paths::Path;
 use silhouette_core::glam::DVec2;
 use std::io::{self, Write};
+use std::ops::Range;
 
 impl Drawing {
     /// Writes the drawing as SVG 1.1, path by path; `title` becomes the title of the document.
     ///
     /// Width and height carry the unit, the view box makes it the unit of all coordinates. Each layer is an Inkscape
-    /// layer whose label begins with its number, by which vpype and the AxiDraw software know layers, too. Coordinates
-    /// have three decimals, so that equal drawings are equal bytes. The outline is one path with `fill-rule="evenodd"`. A fill
-    /// is a layer beneath all others, whose label begins with `%`, by which the AxiDraw software knows what is not to be
-    /// plotted.
+    /// layer whose label begins with its number, by which vpype and the AxiDraw software know layers, too: the same number for
+    /// the same kind in every file. Views of one page are groups in them. Coordinates have three decimals, so that equal drawings
+    /// are equal bytes. The outline is one path with `fill-rule="evenodd"`. A fill is a layer beneath all others, whose label
+    /// begins with `%`, by which the AxiDraw software knows what is not to be plotted.
     ///
     /// # Errors
     /// Those of `out`.
@@ -26,26 +27,19 @@ impl Drawing {
         if let Some(fill) = &self.fill {
             push_fill(fill, &mut text);
         }
-        for (number, layer) in (1..).zip(&self.layers) {
-            self.push_layer_tag(number, layer, &mut text);
-            let outline = layer.name == LayerName::Outline;
-            if outline {
-                text.extend(b"<path fill-rule=\"evenodd\" d=\"");
-            }
-            for path in layer.paths.iter() {
-                if outline {
-                    push_data(path, &mut text);
-                } else {
-                    text.extend(b"<path d=\"");
-                    push_data(path, &mut text);
-                    text.extend(b"\"/>\n");
-                }
-                if text.len() > 32 * 1024 {
-                    out.write_all(&text)?;
-                    text.clear();
+        for layers in self.layers.chunk_by(|one, other| one.number == other.number) {
+            if let [layer] = layers {
+                push_layer_tag(layer, &self.pen_of(layer), &mut text);
+                self.push_paths(layer, &mut text, out)?;
+            } else {
+                push_layer_tag(&layers[0], "", &mut text);
+                for layer in layers {
+                    text.extend(format!("<g id=\"{}\"{}>\n", layer.entry_id(), self.pen_of(layer)).bytes());
+                    self.push_paths(layer, &mut text, out)?;
+                    text.extend(b"</g>\n");
                 }
             }
-            text.extend(if outline { &b"\"/>\n</g>\n"[..] } else { b"</g>\n" });
+            text.extend(b"</g>\n");
         }
         text.extend(b"</svg>\n");
         out.write_all(&text)
@@ -73,12 +67,55 @@ impl Drawing {
         text.extend(format!("<title>{}</title>\n", escaped(title)).bytes());
     }
 
-    fn push_layer_tag(&self, number: usize, layer: &Layer, text: &mut Vec<u8>) {
-        let (name, id) = (layer.name, layer.name.id());
-        let (colour, width) = (layer.pen.colour, decimal::number(layer.width(self.placement.unit)));
-        text.extend(format!("<g inkscape:groupmode=\"layer\" id=\"{id}\" inkscape:label=\"{number} {name}\"").bytes());
-        text.extend(format!(" stroke=\"{colour}\" stroke-width=\"{width}\">\n").bytes());
+    /// Attributes of a layer's pen.
+    fn pen_of(&self, layer: &Layer) -> String {
+        let (colour, width) = (layer.pen.colour, number(layer.width(self.placement.unit)));
+        format!(" stroke=\"{colour}\" stroke-width=\"{width}\"")
     }
+
+    /// The paths of a layer, in a group per view where there are several.
+    fn push_paths(&self, layer: &Layer, text: &mut Vec<u8>, out: &mut dyn Write) -> io::Result<()> {
+        if layer.views.is_empty() {
+            return push_run(layer, 0..layer.paths.len(), text, out);
+        }
+        for (view, paths) in &layer.views {
+            text.extend(format!("<g id=\"{}-{view}\">\n", layer.entry_id()).bytes());
+            push_run(layer, paths.clone(), text, out)?;
+            text.extend(b"</g>\n");
+        }
+        Ok(())
+    }
+}
+
+fn push_layer_tag(layer: &Layer, pen: &str, text: &mut Vec<u8>) {
+    let (number, label) = (layer.number, escaped(&layer.label).replace('"', "&quot;"));
+    let id = layer.id();
+    text.extend(
+        format!("<g inkscape:groupmode=\"layer\" id=\"{id}\" inkscape:label=\"{number} {label}\"{pen}>\n").bytes(),
+    );
+}
+
+/// Some paths of a layer; those of the outline as one.
+fn push_run(layer: &Layer, paths: Range<usize>, text: &mut Vec<u8>, out: &mut dyn Write) -> io::Result<()> {
+    let outline = layer.name == LayerName::Outline;
+    if outline {
+        text.extend(b"<path fill-rule=\"evenodd\" d=\"");
+    }
+    for path in paths.map(|index| layer.paths.get(index)) {
+        if outline {
+            push_data(path, text);
+        } else {
+            text.extend(b"<path d=\"");
+            push_data(path, text);
+            text.extend(b"\"/>\n");
+        }
+        if text.len() > 32 * 1024 {
+            out.write_all(text)?;
+            text.clear();
+        }
+    }
+    text.extend(if outline { &b"\"/>\n"[..] } else { b"" });
+    Ok(())
 }
 
 /// The layer of what is filled.

@@ -156,7 +156,7 @@ fn lines_are_drawn_between_labels_which_must_fit() {
     let options = LineOptions { max_invisibility: u32::MAX, ..LineOptions::default() };
     assert!(length(&find(scene, DVec3::ONE, &options), LineKind::Material, true) > 10.0);
     let error = LineScene::new(mesh).with_labels(vec![0; 3]).unwrap_err();
-    assert_eq!(error, SceneError::Labels { labels: 3, faces: 320 });
+    assert_eq!(error, SceneError::PerFace { what: "labels", given: 3, faces: 320 });
 }
 
 #[test]

@@ -52,12 +52,12 @@ fn everything() -> PlotOptions {
 #[test]
 fn usvg_reads_pages_pens_and_layers() {
     let mut options = everything();
-    options.pens.of_mut(LineKind::Ridge).width = Length::mm(0.25);
-    options.pens.of_mut(LineKind::Ridge).colour = "#ff8000".parse().unwrap();
+    options.pens.of_hidden_mut(LineKind::Ridge).width = Length::mm(0.25);
+    options.pens.of_hidden_mut(LineKind::Ridge).colour = "#ff8000".parse().unwrap();
     let text = svg(&plot(&lines_of(orthographic(), &house()), &options, &NoProgress).unwrap());
     assert!(text.contains("width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\""), "{text}");
     let labels: Vec<_> = text.split("inkscape:label=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
-    assert_eq!(labels, ["1 ridge hidden", "2 curve visible", "3 ridge visible", "4 silhouette visible"]);
+    assert_eq!(labels, ["23 ridge hidden", "7 curve visible", "3 ridge visible", "1 silhouette visible"]);
 
     let tree = parsed(&text);
     assert!((f64::from(tree.size().width()) - 210.0 * 96.0 / 25.4).abs() < 1e-3);

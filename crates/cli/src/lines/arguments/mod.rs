@@ -2,10 +2,14 @@
 
 mod heal;
 mod page;
+mod parts;
 mod pens;
+mod views;
 mod which;
 
 pub use heal::HealDistance;
+pub use parts::PartArguments;
+pub use views::ViewsArguments;
 
 use crate::camera::CameraArguments;
 use crate::failure::Failure;
@@ -55,11 +59,15 @@ pub struct LinesArguments {
     #[command(flatten)]
     which: WhichLines,
     #[command(flatten)]
+    pub parts: PartArguments,
+    #[command(flatten)]
     page: PageArguments,
     #[command(flatten)]
     pens: PenArguments,
     #[command(flatten)]
     pub camera: CameraArguments,
+    #[command(flatten)]
+    pub views: ViewsArguments,
 }
 
 impl LinesArguments {
@@ -98,7 +106,7 @@ impl LinesArguments {
     pub fn plot_options(&self) -> Result<PlotOptions, Failure> {
         let page = &self.page;
         let unit = page.unit();
-        let (pens, hidden_dash) = self.pens.pens(unit, self.which.hidden == Some(HiddenArgument::Dashed))?;
+        let (pens, hidden_dash) = self.pens.pens(unit, self.which.hidden)?;
         let defaults = PlotOptions::default();
         Ok(PlotOptions {
             unit,
@@ -109,6 +117,8 @@ impl LinesArguments {
                 Some(HiddenArgument::Solid) => Hidden::Solid,
             },
             pens,
+            layers: self.parts.layers.into(),
+            object_names: Vec::new(),
             cap: self.pens.cap(),
             join: self.pens.join(),
             merge_tolerance: length("--tolerance", page.tolerance.as_deref(), unit, defaults.merge_tolerance)?,

@@ -39,7 +39,7 @@ impl Drawing {
         let fill =
             self.fill.iter().map(|fill| LayerRecord { name: FILL.to_owned(), colour: fill.colour, width_mm: 0.0 });
         let strokes = self.layers.iter().map(|layer| LayerRecord {
-            name: layer.name.id(),
+            name: layer.entry_id(),
             colour: layer.pen.colour,
             width_mm: layer.width(Unit::Mm),
         });
@@ -55,7 +55,7 @@ impl Drawing {
             entities::hatch(&mut groups, FILL, fill)?;
         }
         for layer in &self.layers {
-            let name = layer.name.id();
+            let name = layer.entry_id();
             layer.paths.iter().try_for_each(|path| entities::path(&mut groups, &name, path))?;
         }
         groups.end_section()?;

@@ -1,0 +1,117 @@
+//! One view, or several on one page (`--views`).
+
+use super::arguments::LinesArguments;
+use super::parts::Parts;
+use super::{of_finding, of_plotting, quick, smooth};
+use crate::failure::Failure;
+use crate::progress::TerminalProgress;
+use silhouette_core::Camera;
+use silhouette_core::load::LabelledMesh;
+use silhouette_core::mesh::Bounds;
+use silhouette_core::view::ViewPreset;
+use silhouette_visibility::plot::{self, Drawing, PlotOptions, SheetView};
+use silhouette_visibility::{LineFinder, LineScene, Lines, Outline};
+use std::time::{Duration, Instant};
+
+/// The views that are drawn.
+pub struct Views {
+    cameras: Vec<Camera>,
+    /// What each shows, where there are several.
+    presets: Option<Vec<ViewPreset>>,
+}
+
+/// What is shown.
+pub struct Shown<'a> {
+    /// The meshes' names, for errors.
+    pub names: &'a str,
+    pub meshes: &'a [(String, LabelledMesh)],
+    pub parts: &'a Parts,
+    pub scene: &'a LineScene,
+    /// For each face whether it is a mask, where there are some.
+    pub masks: Option<Vec<bool>>,
+    /// What of the scene is no mask, where there are some.
+    pub drawn: Option<LineScene>,
+}
+
+impl Views {
+    /// The views that are asked for.
+    pub fn of(arguments: &LinesArguments, bounds: &Bounds) -> Result<Self, Failure> {
+        match &arguments.views.views {
+            None => Ok(Self { cameras: vec![arguments.camera.camera(bounds)?], presets: None }),
+            Some(views) => {
+                let cameras = arguments.camera.cameras(&views.0, bounds)?;
+                Ok(Self { cameras, presets: Some(views.0.clone()) })
+            }
+        }
+    }
+
+    pub fn cameras(&self) -> &[Camera] {
+        &self.cameras
+    }
+
+    /// The lines of each view, and the time that preparing took.
+    pub fn find(
+        &self,
+        shown: &Shown<'_>,
+        arguments: &LinesArguments,
+        progress: &TerminalProgress,
+    ) -> Result<(Duration, Vec<Lines>), Failure> {
+        let started = Instant::now();
+        let wanted = arguments.line_options();
+        // Of masks the outline shows nothing.
+        let outline = if wanted.outline { shown.drawn.clone() } else { None };
+        let mut outline = outline.map(|drawn| LineFinder::new(drawn, progress)).transpose()?;
+        let mut finder: Option<LineFinder> = None;
+        let mut prepare = Duration::ZERO;
+        let mut all = Vec::new();
+        for camera in &self.cameras {
+            let (mut scene, mut wanted) = (shown.scene.clone(), wanted.clone());
+            wanted.outline &= outline.is_none();
+            if arguments.smooth {
+                (scene, wanted) = smooth::scene(shown.meshes, camera, &wanted, progress)?;
+                let is_mask = shown.parts.masked_files(shown.meshes)?;
+                let curves = scene.curves().iter().filter(|curve| !is_mask[curve.object as usize]).cloned().collect();
+                scene = scene.with_curves(curves).map_err(Failure::input)?;
+            } else {
+                scene = shown.parts.as_objects(scene, shown.meshes)?;
+                if let Some(masks) = &shown.masks {
+                    scene = scene.with_masks(masks.clone()).map_err(Failure::input)?;
+                }
+            }
+            let mut lines = if arguments.quick {
+                let (prepared, lines) = quick::find(&scene, shown.names, camera, &wanted, progress)?;
+                prepare += prepared;
+                lines
+            } else {
+                let kept = finder.take().filter(|_| !arguments.smooth);
+                let mut ready = kept.map_or_else(|| LineFinder::new(scene, progress), Ok)?;
+                if all.is_empty() {
+                    prepare = started.elapsed();
+                }
+                let found = ready.find(camera, &wanted, progress);
+                finder = Some(ready);
+                found.map_err(|error| of_finding(shown.names, error))?
+            };
+            if let Some(finder) = &mut outline {
+                let found: Result<Outline, _> = finder.outline(camera, progress);
+                lines.outline = found.map_err(|error| of_finding(shown.names, error))?;
+            }
+            all.push(lines);
+        }
+        Ok((prepare, all))
+    }
+
+    /// The lines as strokes on a page.
+    pub fn plot(
+        &self,
+        lines: &[Lines],
+        arguments: &LinesArguments,
+        options: &PlotOptions,
+        progress: &TerminalProgress,
+    ) -> Result<Drawing, Failure> {
+        let Some(presets) = &self.presets else { return plot::plot(&lines[0], options, progress).map_err(of_plotting) };
+        let views = presets.iter().zip(lines).map(|(&preset, lines)| SheetView { preset, lines });
+        let views: Vec<SheetView<'_>> = views.collect();
+        plot::plot_views(&views, arguments.views.angle(), options, progress).map_err(of_plotting)
+    }
+}
