@@ -2,6 +2,7 @@
 
 use crate::camera::{CameraArguments, UpAxisArgument};
 use crate::lines::LinesArguments;
+use crate::mesh_argument::MeshArgument;
 use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -127,7 +128,7 @@ pub enum Command {
 #[derive(Debug, Args)]
 pub struct InspectArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     /// Everything as JSON, each defect with all of its ids
     #[arg(long)]
     pub json: bool,
@@ -153,7 +154,7 @@ impl MethodArguments {
 #[derive(Debug, Args)]
 pub struct ExtractArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     #[command(flatten)]
     pub method: MethodArguments,
     /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries; numbers of vertices are
@@ -176,7 +177,7 @@ pub struct ExtractArguments {
 #[derive(Debug, Args)]
 pub struct RenderArguments {
     /// Mesh file or builtin:NAME; for the methods of silhouette textures also a .siltex file
-    pub mesh: String,
+    pub mesh: MeshArgument,
     #[command(flatten)]
     pub method: MethodArguments,
     /// Width of the pen in pixels
@@ -201,7 +202,7 @@ pub struct RenderArguments {
 #[derive(Debug, Args)]
 pub struct SmoothArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     /// Name of the method: for a PNG one that fills its image, for an OBJ one that makes triangles for each view
     #[arg(long, value_name = "NAME", default_value = "smoothing")]
     pub method: String,
@@ -222,10 +223,10 @@ pub struct SmoothArguments {
 #[derive(Debug, Args)]
 pub struct BakeArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     /// A hull of your own, a mesh that encloses the other [default: one of at most hull-vertices vertices]
     #[arg(long, value_name = "MESH")]
-    pub hull: Option<String>,
+    pub hull: Option<MeshArgument>,
     /// An option of the method texture; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -268,7 +269,7 @@ impl From<ProfileArgument> for Profile {
 #[derive(Debug, Args)]
 pub struct CompareArguments {
     /// Mesh files or builtin:NAME [default: those of the scene]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     /// Scene file (.toml) instead of a profile
     #[arg(long, value_name = "FILE", conflicts_with = "profile")]
     pub scene: Option<PathBuf>,
@@ -317,7 +318,7 @@ pub struct ReproduceArguments {
     #[arg(value_parser = papers())]
     pub paper: String,
     /// Mesh files or builtin:NAME [default: built-in shapes]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     /// How much to measure
     #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
     pub profile: ProfileArgument,

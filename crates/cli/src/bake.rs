@@ -25,7 +25,7 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     }
     let options = TextureOptions::parse(arguments.set.iter().map(String::as_str))?;
     let choice = options.bake();
-    let inputs: Vec<&str> = [&arguments.mesh].into_iter().chain(&arguments.hull).map(String::as_str).collect();
+    let inputs: Vec<_> = [&arguments.mesh].into_iter().chain(&arguments.hull).cloned().collect();
     Output::create(Some(path), &inputs)?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, arguments.orient.winding(true), &progress)?;

@@ -26,6 +26,7 @@ mod input;
 mod inspect;
 mod interrupt;
 mod lines;
+mod mesh_argument;
 mod output;
 mod progress;
 mod render;

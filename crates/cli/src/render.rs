@@ -29,7 +29,7 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let ground = if arguments.transparent { Ground::Transparent } else { Ground::Paper };
     let words = on_ground(entry, ground).into_iter().chain(arguments.method.set.iter().map(String::as_str));
     let options = OptionValues::parse(entry.info().options, words)?;
-    let output = Output::create(Some(path), &[&arguments.mesh])?;
+    let output = Output::create(Some(path), std::slice::from_ref(&arguments.mesh))?;
     let progress = TerminalProgress::new();
     let named = input::drawable(&arguments.mesh, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;

@@ -53,7 +53,7 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
         return Err(Failure::Input(format!("--method {} {lacks}; choose {known}", info.name)));
     }
     let options = OptionValues::parse(info.options, arguments.set.iter().map(String::as_str))?;
-    let output = Output::create(Some(&arguments.output), &[&arguments.mesh])?;
+    let output = Output::create(Some(&arguments.output), std::slice::from_ref(&arguments.mesh))?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, Winding::AsItIs, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;

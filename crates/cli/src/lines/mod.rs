@@ -43,8 +43,7 @@ pub fn run(arguments: &LinesArguments) -> Result<(), Failure> {
 fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let format = format_of(arguments.output.as_deref())?;
     let options = arguments.plot_options()?;
-    let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
-    let output = Output::create(arguments.output.as_deref(), &inputs)?;
+    let output = Output::create(arguments.output.as_deref(), &arguments.meshes)?;
     let progress = TerminalProgress::new();
 
     let started = Instant::now();

@@ -9,6 +9,7 @@ pub use heal::HealDistance;
 
 use crate::camera::CameraArguments;
 use crate::failure::Failure;
+use crate::mesh_argument::MeshArgument;
 use crate::winding::OrientArgument;
 use clap::Args;
 use page::PageArguments;
@@ -23,7 +24,7 @@ use which::{HiddenArgument, OutlineArgument, WhichLines};
 pub struct LinesArguments {
     /// Mesh files or builtin:NAME; several are drawn together and hide each other
     #[arg(required = true, value_name = "MESH")]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     /// Output file: .svg, .json, .gltf or .glb [default: SVG on standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -144,7 +145,7 @@ mod tests {
     #[test]
     fn options_may_stand_before_the_mesh() {
         let arguments = parse(&["--hidden", "--outline"]);
-        assert_eq!(arguments.meshes, ["builtin:cube"]);
+        assert_eq!(arguments.meshes, [MeshArgument::from("builtin:cube")]);
         assert_eq!(arguments.plot_options().unwrap().hidden, Hidden::Dashed(Dash::HIDDEN));
         assert!(arguments.line_options().outline && arguments.line_options().silhouette);
         let only = parse(&["--outline=only", "--creases", "30", "--all-edges"]).line_options();
