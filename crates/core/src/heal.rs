@@ -69,7 +69,8 @@ pub fn heal_t_junctions(mesh: &TriangleMesh, distance: f32) -> Result<Healed, We
         divide(corners, on_side, &mut triangles);
         face_of.resize(triangles.len(), face);
     }
-    let mesh = TriangleMesh::new(positions, triangles).expect("parts of valid faces are valid");
+    let healed = TriangleMesh::new(positions, triangles).expect("parts of valid faces are valid");
+    let mesh = healed.with_origin(mesh.origin());
     Ok(Healed { mesh, face_of, vertex_of: welded.vertex_of, divided: dividers.len(), left_out })
 }
 

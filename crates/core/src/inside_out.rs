@@ -50,7 +50,8 @@ pub fn turned(mesh: &TriangleMesh, is_turned: &[bool]) -> TriangleMesh {
     assert_eq!(is_turned.len(), mesh.face_count(), "one answer per face");
     let triangles = mesh.triangles().iter().zip(is_turned);
     let triangles = triangles.map(|(&[a, b, c], &is_turned)| if is_turned { [a, c, b] } else { [a, b, c] }).collect();
-    TriangleMesh::new(mesh.positions().to_vec(), triangles).expect("the corners are those of a mesh")
+    let turned = TriangleMesh::new(mesh.positions().to_vec(), triangles).expect("the corners are those of a mesh");
+    turned.with_origin(mesh.origin())
 }
 
 /// Of a part with twice the area A, a volume below this times A^(3/2) is rounding: six times that of a ball is 0.2 times as much, of a plate

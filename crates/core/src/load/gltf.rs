@@ -21,6 +21,7 @@ use self::dangling::dangling;
 use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Place, Problem, quote};
+use super::placing::Placing;
 use super::polygon::{fan, strip};
 use crate::progress::Progress;
 use ::gltf::json::accessor::Accessor;
@@ -42,7 +43,12 @@ const UNFOLDING: u64 = 1024;
 
 /// Reads a glTF or GLB file. External buffers are looked up in `folder`; without one they are refused. O(bytes +
 /// triangles).
-pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress) -> Result<LabelledMesh, Located> {
+pub(super) fn read(
+    bytes: &[u8],
+    folder: Option<&Path>,
+    placing: Placing,
+    progress: &dyn Progress,
+) -> Result<LabelledMesh, Located> {
     let (json, blob) = buffers::split(bytes)?;
     let root: Root = ::gltf::json::deserialize::from_slice(json).map_err(|error| {
         let found = error.to_string();
@@ -55,7 +61,7 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress)
     let edges = EdgeExtensions::of(json, &root)?;
     let placed = place_meshes(&root)?;
     progress.stage("assembling meshes", placed.len() as u64);
-    let (buffers, assembly) = (Buffers::new(blob, folder), Assembly::default());
+    let (buffers, assembly) = (Buffers::new(blob, folder), Assembly::new(placing));
     let mut scene = SceneReader { root: &root, edges: &edges, buffers, assembly, faces: 0 };
     scene.check_unfolding(&placed, bytes.len() as u64)?;
     for (mesh, world) in placed {
@@ -217,7 +223,7 @@ impl<'a> SceneReader<'a> {
         let local = positions(root, &mut self.buffers, surface.positions)?;
         let vertices = local.len() as u64;
         for position in local {
-            let placed = place(world, position);
+            let placed = place(world, position, &mut self.assembly.placing);
             if !placed.is_finite() {
                 let value = quote(format!("{} {} {}", position[0], position[1], position[2]).as_bytes());
                 return Err(Problem::NotFinite { vertex: self.assembly.positions.len() as u64, value });
@@ -269,9 +275,10 @@ impl<'a> SceneReader<'a> {
 }
 
 /// The position in world space, rounded once; bit for bit the same where nothing moves it.
-fn place(world: DMat4, position: [f32; 3]) -> Vec3 {
-    let local = Vec3::from_array(position);
-    if world == DMat4::IDENTITY { local } else { world.transform_point3(local.as_dvec3()).as_vec3() }
+fn place(world: DMat4, position: [f32; 3], placing: &mut Placing) -> Vec3 {
+    let local = Vec3::from_array(position).as_dvec3();
+    let coordinates = if world == DMat4::IDENTITY { local } else { world.transform_point3(local) };
+    Vec3::from([0, 1, 2].map(|axis| placing.place(axis, coordinates[axis])))
 }
 
 fn at_element(element: String, problem: Problem) -> Located {

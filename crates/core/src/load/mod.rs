@@ -47,6 +47,7 @@ mod notes;
 mod obj;
 #[cfg(feature = "off")]
 mod off;
+mod placing;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
@@ -64,6 +65,7 @@ pub use from_tobj::FromTobjError;
 pub use notes::Note;
 
 use self::error::Located;
+use self::placing::{MOST_ATTEMPTS, Placing};
 use self::steps::Steps;
 use crate::mesh::TriangleMesh;
 use crate::progress::{NoProgress, Progress};
@@ -132,7 +134,6 @@ pub fn read_labelled(
 fn read_beside(
     format: Format,
     bytes: &[u8],
-    #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
     folder: Option<&Path>,
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, Located> {
@@ -140,21 +141,42 @@ fn read_beside(
     if bytes.is_empty() {
         return Err(Problem::Empty.into());
     }
+    let mut placing = Placing::NARROW;
+    for _ in 1..MOST_ATTEMPTS {
+        let labelled = read_once(format, bytes, folder, placing, progress)?;
+        match placing.better(&labelled.mesh) {
+            // What was read is dropped before the file is read anew.
+            Some(better) => placing = better,
+            None => return Ok(labelled),
+        }
+    }
+    read_once(format, bytes, folder, placing, progress)
+}
+
+/// Reads a mesh with positions that are made as `placing` says.
+fn read_once(
+    format: Format,
+    bytes: &[u8],
+    #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
+    folder: Option<&Path>,
+    placing: Placing,
+    progress: &dyn Progress,
+) -> Result<LabelledMesh, Located> {
     let mut steps = Steps::begin(progress, "parsing", bytes.len());
     let read: Result<LabelledMesh, Located> = match format {
         #[cfg(feature = "obj")]
-        Format::Obj => obj::read(bytes, &mut steps),
+        Format::Obj => obj::read(bytes, placing, &mut steps),
         #[cfg(feature = "ply")]
-        Format::Ply => ply::read(bytes, &mut steps),
+        Format::Ply => ply::read(bytes, placing, &mut steps),
         #[cfg(feature = "off")]
-        Format::Off => off::read(bytes, &mut steps),
+        Format::Off => off::read(bytes, placing, &mut steps),
         #[cfg(feature = "stl")]
-        Format::Stl => stl::read(bytes, &mut steps),
+        Format::Stl => stl::read(bytes, placing, &mut steps),
         #[cfg(feature = "gltf")]
         Format::Gltf => {
             // Parsed in one go, and assembled in a stage of its own.
             steps.report(bytes.len())?;
-            return gltf::read(bytes, folder, progress);
+            return gltf::read(bytes, folder, placing, progress);
         }
         #[cfg(not(all(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")))]
         format => Err(Problem::FeatureOff { format }.into()),
