@@ -86,7 +86,12 @@ fn subjects(
             let refused = |fault| Failure::Input(format!("{}: {fault}", mesh.name));
             return Subject::simplified(&mesh, faces).map_err(refused);
         }
-        let load = |name: &str| input::mesh(&name.into(), winding, progress).map(|truth| Arc::clone(truth.mesh.mesh()));
+        let origin = mesh.mesh.mesh().origin();
+        let load = |name: &str| {
+            let truth = input::mesh(&name.into(), winding, progress)?;
+            let placed = truth.mesh.mesh().relative_to(origin);
+            placed.map(Arc::new).map_err(|error| Failure::Input(format!("{name}: {error}")))
+        };
         Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
     };
     meshes.into_iter().zip(&scene.meshes).map(subject).collect()

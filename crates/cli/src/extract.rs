@@ -83,7 +83,7 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let NamedMesh { name, mesh } =
         input::welded(&arguments.mesh, arguments.weld, arguments.orient.winding(false), &progress)?;
     let bounds = mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{name}: has no face")))?;
-    let viewpoint = arguments.camera.viewpoint(&bounds)?;
+    let viewpoint = arguments.camera.viewpoint(&bounds, mesh.mesh().origin())?;
 
     let prepared = entry.prepare(&mesh, &options, &progress);
     let mut prepared = prepared.map_err(|error| Failure::of_preparation(&name, info.name, error))?;
@@ -96,7 +96,7 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let bytes = match format {
         Format::Json => json::write(&found)?,
         Format::Obj => obj::write(&found, &bounds),
-        Format::Svg => svg::write(&found, &name, &arguments.camera.camera(&bounds)?),
+        Format::Svg => svg::write(&found, &name, &arguments.camera.camera(&bounds, mesh.mesh().origin())?),
     };
     output.write(&bytes)
 }

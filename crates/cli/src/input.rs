@@ -1,5 +1,6 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
+use crate::bake;
 use crate::failure::{Failure, note};
 use crate::interrupt;
 use crate::mesh_argument::MeshArgument;
@@ -76,8 +77,8 @@ pub fn drawable(
             method.info().name
         )));
     }
-    let texture = siltex::read(path).map_err(Failure::input)?.texture;
-    let hull = Arc::clone(texture.parts().hull.mesh());
+    let siltex::Siltex { texture, metadata, .. } = siltex::read(path).map_err(Failure::input)?;
+    let hull = texture.parts().hull.mesh().as_ref().clone().with_origin(bake::origin(&metadata));
     let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(texture));
     Ok(NamedMesh { name: file_name(path), mesh: Arc::new(mesh) })
 }

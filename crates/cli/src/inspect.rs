@@ -65,8 +65,11 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
     let edges = if lengths.is_empty() { String::new() } else { format!(" (edges: {})", shown(&lengths)) };
     row("boundary loops", format!("{}{edges}", lengths.len()));
     if let Some(extent) = found.extent {
-        let [a, b] = [extent.min, extent.max].map(|p| p.map(|c| format!("{c:.6}")).join(", "));
-        row("extent", format!("[{a}] to [{b}], diagonal {:.6}", extent.diagonal));
+        let [a, b] = [extent.min, extent.max].map(|p| p.map(number).join(", "));
+        row("extent", format!("[{a}] to [{b}], diagonal {}", rounded(extent.diagonal)));
+    }
+    if found.origin.iter().any(|&coordinate| coordinate != 0.0) {
+        row("origin", format!("[{}], from which positions count", found.origin.map(number).join(", ")));
     }
     if let Some(lengths) = found.edge_lengths {
         row("edge length", format!("{:.3e} to {:.3e}, mean {:.3e}", lengths.min, lengths.max, lengths.mean));
@@ -84,6 +87,17 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
         list_defects(&found.defects, &mut text);
     }
     text
+}
+
+/// A number in full, with a power of ten where that is shorter.
+fn number(value: f64) -> String {
+    let is_handy = value == 0.0 || (1e-4..1e10).contains(&value.abs());
+    if is_handy { value.to_string() } else { format!("{value:e}") }
+}
+
+/// The same of seven digits.
+fn rounded(value: f64) -> String {
+    number(format!("{value:.6e}").parse().unwrap_or(value))
 }
 
 fn list_defects(defects: &Defects, text: &mut String) {

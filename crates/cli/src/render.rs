@@ -33,7 +33,7 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let progress = TerminalProgress::new();
     let named = input::drawable(&arguments.mesh, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
-    let camera = arguments.camera.camera(&bounds)?;
+    let camera = arguments.camera.camera(&bounds, named.mesh.mesh().origin())?;
     let (size, pen_width_px) = (camera.size(), arguments.width);
     let style = FrameStyle { size, pen_width_px, samples: arguments.samples, ground };
     output.write(&png(entry, &options, &named, &camera, style, &progress)?)

@@ -3,6 +3,7 @@
 use crate::kind::LineKind;
 use silhouette_core::glam::{BVec3, DVec3, Vec3};
 use silhouette_core::mesh::MeshError;
+use silhouette_core::origin::common_origin;
 use silhouette_core::{FaceId, PreparedMesh, TriangleMesh};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, OnceLock};
@@ -91,13 +92,18 @@ impl LineScene {
     }
 
     /// Several meshes in one space, each an object of its own. Ids of edges and faces are those of the meshes set one after
-    /// another. O(V + F).
+    /// another. Meshes that count from different [origins](TriangleMesh::origin) are placed right relative to each other, and
+    /// count from a [common one](common_origin), which that of the scene's mesh then is: cameras must do so, too. O(V + F).
     ///
     /// # Errors
     /// [`SceneError::Mesh`] if together they are too large.
     pub fn of_meshes(meshes: &[&TriangleMesh]) -> Result<Self, SceneError> {
         let (mut positions, mut triangles, mut object_starts) = (Vec::new(), Vec::new(), Vec::new());
+        let origin = common_origin(meshes.iter().copied());
         for mesh in meshes {
+            // Most have the same origin, and need no copy.
+            let placed = if mesh.origin() == origin { None } else { Some(mesh.relative_to(origin)?) };
+            let mesh = placed.as_ref().unwrap_or(mesh);
             // Beyond 32 bits the sum wraps, and the size check of the whole refuses the scene.
             let first = positions.len() as u32;
             object_starts.push(triangles.len() as u32);
@@ -107,7 +113,7 @@ impl LineScene {
         if object_starts.is_empty() {
             object_starts.push(0);
         }
-        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(positions, triangles)?));
+        let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(positions, triangles)?.with_origin(origin)));
         Ok(Self { mesh, object_starts, labels: None, curves: Vec::new(), fingerprint: OnceLock::new() })
     }
 

@@ -15,6 +15,7 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
+use silhouette_core::origin::common_origin;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, GltfContainer, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineFinder, LineScene, Lines};
@@ -52,7 +53,7 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
     let bounds = scene.mesh().mesh().bounds();
     let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
-    let camera = arguments.camera.camera(&bounds)?;
+    let camera = arguments.camera.camera(&bounds, scene.mesh().mesh().origin())?;
     options.check(&camera).map_err(of_plotting)?;
     let load = started.elapsed();
 
@@ -103,6 +104,11 @@ fn meshes(arguments: &LinesArguments, progress: &TerminalProgress) -> Result<Vec
         for (name, loaded) in &mut meshes {
             heal(name, loaded, distance)?;
         }
+    }
+    // One camera sees them all.
+    let origin = common_origin(meshes.iter().map(|(_, loaded)| &loaded.mesh));
+    for (_, loaded) in meshes.iter_mut().filter(|(_, loaded)| loaded.mesh.origin() != origin) {
+        loaded.mesh = loaded.mesh.relative_to(origin).map_err(Failure::input)?;
     }
     // Lines are right whichever way faces point, and so are their kinds.
     let winding = arguments.orient.winding(false);

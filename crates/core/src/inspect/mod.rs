@@ -59,6 +59,8 @@ pub struct Inspection {
     pub euler_characteristic: i64,
     /// Sum of the components' genera; `None` if one of them has none, or there is no face.
     pub genus: Option<u64>,
+    /// From where the mesh's positions count, in the coordinates of its file; zero unless it lies far from there.
+    pub origin: [f64; 3],
     /// Box around the vertices that faces use; `None` without faces.
     pub extent: Option<Extent>,
     /// Edge lengths in object units; `None` without edges.
@@ -103,6 +105,7 @@ pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
         is_orientable: components.iter().all(|component| component.is_orientable),
         euler_characteristic: referenced as i64 - edges as i64 + mesh.face_count() as i64,
         genus: components.iter().map(|component| component.genus).reduce(|a, b| Some(a? + b?)).flatten(),
+        origin: mesh.origin().to_array(),
         extent: Extent::of(mesh),
         edge_lengths: EdgeLengths::of(sides),
         smallest_angle: SmallestAngle::of(mesh),
