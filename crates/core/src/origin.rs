@@ -10,10 +10,10 @@ use crate::mesh::TriangleMesh;
 use glam::{DVec3, Vec3};
 
 /// How far from zero the coordinates of an axis may lie, as a multiple of the mesh's largest extent, before they count from another
-/// origin. Rounding to 24 bits then moves no vertex by more than 16 x 2^-24 of the extent, a millionth.
-pub(crate) const FARTHEST: f64 = 16.0;
+/// origin. Rounding to 24 bits then moves no vertex by more than 64 x 2^-24 of the extent, four millionths.
+pub(crate) const FARTHEST: f64 = 64.0;
 
-/// The origin for coordinates between `min` and `max`: zero along each axis on which no coordinate is farther from zero than 16 times the
+/// The origin for coordinates between `min` and `max`: zero along each axis on which no coordinate is farther from zero than 64 times the
 /// largest extent; otherwise the middle, rounded to a multiple of the least power of two that is not below this extent. So coordinates
 /// of 32 bits stay what they are, to the last bit, when it is subtracted from them.
 pub fn origin_between(min: DVec3, max: DVec3) -> DVec3 {
@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn only_what_is_far_counts_from_elsewhere() {
-        assert_eq!(box_at([15.0, -15.0, 0.0], 1.0), DVec3::ZERO);
+        assert_eq!(box_at([60.0, -60.0, 0.0], 1.0), DVec3::ZERO);
         assert_eq!(box_at([500_003.2, 5_400_001.0, 2.0], 10.0), DVec3::new(500_000.0, 5_400_000.0, 0.0));
         assert_eq!(box_at([0.0, 0.0, 100.0], 1.0), DVec3::new(0.0, 0.0, 100.0));
         assert_eq!(box_at([7.0; 3], 0.0), DVec3::splat(7.0), "a point is its own origin");

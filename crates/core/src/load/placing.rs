@@ -22,7 +22,7 @@ struct Wide {
     rounding: f64,
 }
 
-/// How often a file is read anew at most: each time, what is left of a far mesh shrinks by 2^20 or more.
+/// How often a file is read anew at most: each time, what is left of a far mesh shrinks by 2^16 or more.
 pub(super) const MOST_ATTEMPTS: usize = 4;
 
 /// Faces that are looked at to learn whether a mesh may need more than 32-bit coordinates, so that the others pay nothing for it.
