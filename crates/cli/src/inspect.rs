@@ -7,6 +7,7 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use serde::Serialize;
 use silhouette_core::Topology;
+use silhouette_core::heal::TJunctions;
 use silhouette_core::inspect::{Defects, Inspection, inspect};
 use std::fmt::{Display, Write};
 
@@ -58,7 +59,27 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
     if found.inside_out_faces > 0 {
         row("inside out", format!("{} of {} faces; --orient turns them", found.inside_out_faces, found.faces));
     }
+    if found.cavities > 0 {
+        row("cavities", format!("{}, whose walls rightly point inward", found.cavities));
+    }
+    if let Some(seams) = found.seams {
+        let weld = if seams.distance == 0.0 { "--weld".to_owned() } else { format!("--weld={}", seams.distance) };
+        row(
+            "seams",
+            format!("{} of {} boundary edges; {weld} closes them", seams.boundary_edges, found.boundary_edges),
+        );
+    }
+    if let Some(junctions) = found.t_junctions {
+        let TJunctions { edges, largest_distance } = junctions;
+        let far = if largest_distance == 0.0 { String::new() } else { format!(", up to {largest_distance:.1e} off") };
+        row("T-junctions", format!("{edges} edges with vertices on them{far}; lines --heal divides them"));
+    }
     row("components", found.components.len().to_string());
+    let inward = found.components.iter().filter_map(|part| Some((part.first_face, part.volume.filter(|v| *v < 0.0)?)));
+    let inward: Vec<_> = inward.map(|(face, volume)| format!("{} (face {face})", rounded(volume))).collect();
+    if !inward.is_empty() {
+        row("negative volume", format!("{} of them: {}", inward.len(), shown(&inward)));
+    }
     row("genus", found.genus.map_or_else(|| "undefined".to_owned(), |genus| genus.to_string()));
     row("Euler number", found.euler_characteristic.to_string());
     let lengths: Vec<_> = found.boundary_loops.iter().map(|boundary| boundary.edges).collect();
