@@ -2,6 +2,7 @@
 
 use crate::camera::{CameraArguments, UpAxisArgument};
 use crate::lines::LinesArguments;
+use crate::mesh_argument::MeshArgument;
 use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -156,7 +157,7 @@ impl Command {
 #[derive(Debug, Args)]
 pub struct InspectArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     /// Everything as JSON, each defect with all of its ids
     #[arg(long)]
     pub json: bool,
@@ -182,7 +183,7 @@ impl MethodArguments {
 #[derive(Debug, Args)]
 pub struct ExtractArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     #[command(flatten)]
     pub method: MethodArguments,
     /// Joins vertices no farther apart than this, in units of the mesh, so that seams are no boundaries; numbers of vertices are
@@ -207,7 +208,7 @@ pub struct RenderArguments {
     /// Mesh files or builtin:NAME; several are drawn together, in one space, and hide each other; for the methods of silhouette
     /// textures also one .siltex file
     #[arg(required = true, value_name = "MESH")]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     #[command(flatten)]
     pub method: MethodArguments,
     /// Width of the pen in pixels
@@ -232,7 +233,7 @@ pub struct RenderArguments {
 #[derive(Debug, Args)]
 pub struct SmoothArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     /// Name of the method: for a PNG one that fills its image, for an OBJ one that makes triangles for each view
     #[arg(long, value_name = "NAME", default_value = "smoothing")]
     pub method: String,
@@ -253,10 +254,10 @@ pub struct SmoothArguments {
 #[derive(Debug, Args)]
 pub struct BakeArguments {
     /// Mesh file or builtin:NAME
-    pub mesh: String,
+    pub mesh: MeshArgument,
     /// A hull of your own, a mesh that encloses the other [default: one of at most hull-vertices vertices]
     #[arg(long, value_name = "MESH")]
-    pub hull: Option<String>,
+    pub hull: Option<MeshArgument>,
     /// An option of the method texture; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -299,7 +300,7 @@ impl From<ProfileArgument> for Profile {
 #[derive(Debug, Args)]
 pub struct CompareArguments {
     /// Mesh files or builtin:NAME [default: those of the scene]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     /// Scene file (.toml) instead of a profile
     #[arg(long, value_name = "FILE", conflicts_with = "profile")]
     pub scene: Option<PathBuf>,
@@ -362,7 +363,7 @@ pub struct ReproduceArguments {
     #[arg(value_parser = papers())]
     pub paper: String,
     /// Mesh files or builtin:NAME [default: built-in shapes]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     /// How much to measure
     #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
     pub profile: ProfileArgument,

@@ -6,6 +6,7 @@ use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
 use crate::winding::Winding;
+use glam::DVec3;
 use silhouette_compare::machine::describe_program;
 use silhouette_core::{Method, MethodOptions};
 use silhouette_texture::bake::BakeError;
@@ -17,6 +18,16 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+/// The entry of a `.siltex` file's metadata that says from where its positions count in the coordinates of the mesh's file.
+const ORIGIN: &str = "origin";
+
+/// The origin of a texture with this metadata; zero where there is none.
+pub fn origin(metadata: &Metadata) -> DVec3 {
+    let numbers = |text: &String| text.split(' ').map(|number| number.parse::<f64>().ok()).collect::<Option<Vec<_>>>();
+    let origin = metadata.get(ORIGIN).and_then(numbers).and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
+    origin.map(DVec3::from).filter(|origin| origin.is_finite()).unwrap_or_default()
+}
+
 /// Runs the command.
 pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     let path = &arguments.output;
@@ -25,7 +36,7 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     }
     let options = TextureOptions::parse(arguments.set.iter().map(String::as_str))?;
     let choice = options.bake();
-    let inputs: Vec<&str> = [&arguments.mesh].into_iter().chain(&arguments.hull).map(String::as_str).collect();
+    let inputs: Vec<_> = [&arguments.mesh].into_iter().chain(&arguments.hull).cloned().collect();
     Output::create(Some(path), &inputs)?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, arguments.orient.winding(true), &progress)?;
@@ -40,7 +51,9 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     let hull = match &arguments.hull {
         Some(given) => {
             let hull = input::mesh(given, Winding::AsItIs, &progress)?;
-            let checked = Hull::checked(mesh, hull.mesh.mesh().clone());
+            let placed = hull.mesh.mesh().relative_to(mesh.origin());
+            let placed = placed.map_err(|error| Failure::Input(format!("{given}: {error}")))?;
+            let checked = Hull::checked(mesh, placed);
             checked.map_err(|error| Failure::Input(format!("{given}: {error}")))?
         }
         None => make_hull(mesh, choice.hull_vertices, &progress).map_err(failed)?,
@@ -54,7 +67,11 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     }
     let values = options.values()?.to_string();
     let metadata = [("mesh", named.name.clone()), ("options", values), ("program", describe_program())];
-    let metadata: Metadata = metadata.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+    let mut metadata: Metadata = metadata.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+    if mesh.origin() != DVec3::ZERO {
+        let [x, y, z] = mesh.origin().to_array();
+        metadata.insert(ORIGIN.to_owned(), format!("{x} {y} {z}"));
+    }
     siltex::write(path, &texture, &metadata, &progress).map_err(Failure::input)?;
     std::fs::remove_file(&checkpoint).map_err(|error| Failure::Run(format!("{}: {error}", checkpoint.display())))?;
     drop(progress);

@@ -13,13 +13,13 @@ const DEFAULT_FOV_DEG: f64 = 40.0;
 #[derive(Debug, Clone, PartialEq, Args)]
 #[command(next_help_heading = "Camera")]
 pub struct CameraArguments {
-    /// Where the eye is, in the mesh's own coordinates; by default as far along --view as the mesh needs to fit. Beside --view
+    /// Where the eye is, in the coordinates of the mesh's file; by default as far along --view as the mesh needs to fit. Beside --view
     /// it says how far away that view is
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
-    eye: Option<Vec3>,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    eye: Option<DVec3>,
     /// The point looked at [default: the middle of the mesh]
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
-    target: Option<Vec3>,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    target: Option<DVec3>,
     /// The direction that points up in the picture [default: the view's, or the --up-axis]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     up: Option<Vec3>,
@@ -77,8 +77,9 @@ impl CameraArguments {
         *self == NoOptions::parse_from([""]).camera
     }
 
-    /// The camera for a mesh with these bounds.
-    pub fn camera(&self, bounds: &Bounds) -> Result<Camera, Failure> {
+    /// The camera for a mesh with these bounds, all of which count from `origin`.
+    pub fn camera(&self, bounds: &Bounds, origin: DVec3) -> Result<Camera, Failure> {
+        let [eye, target] = [self.eye, self.target].map(|point| point.map(|point| (point - origin).as_vec3()));
         let fov_y_rad = self.fov.unwrap_or(DEFAULT_FOV_DEG).to_radians();
         let framing = match self.ortho {
             Some(_) => Framing::Orthographic,
@@ -91,17 +92,17 @@ impl CameraArguments {
             Some(OrthoHeight::Units(height)) => Projection::Orthographic { height },
             _ => fitted.projection(),
         };
-        let target = self.target.unwrap_or(fitted.target());
-        let eye = match (self.eye, self.view) {
+        let looked_at = target.unwrap_or(fitted.target());
+        let eye = match (eye, self.view) {
             (Some(eye), Some(_)) => {
-                let distance = eye.as_dvec3().distance(target.as_dvec3());
-                (target.as_dvec3() + distance * preset_direction.normalize()).as_vec3()
+                let distance = eye.as_dvec3().distance(looked_at.as_dvec3());
+                (looked_at.as_dvec3() + distance * preset_direction.normalize()).as_vec3()
             }
             (Some(eye), None) => eye,
-            (None, _) => fitted.eye() + (target - fitted.target()),
+            (None, _) => fitted.eye() + (looked_at - fitted.target()),
         };
         // The middle of the mesh is only a default: an eye exactly there looks along -z instead.
-        let target = if eye == target && self.target.is_none() { target - Vec3::Z } else { target };
+        let target = if eye == looked_at && target.is_none() { looked_at - Vec3::Z } else { looked_at };
         let forward = target.as_dvec3() - eye.as_dvec3();
         let up = self.up.unwrap_or_else(|| self.default_up(preset_up, forward));
         if self.up.is_some() && self.eye.is_none() && is_along(forward, up) {
@@ -112,16 +113,16 @@ impl CameraArguments {
     }
 
     /// Cameras for several named views of a mesh with these bounds: orthographic, of one scale, which look at its middle.
-    pub fn cameras(&self, views: &[ViewPreset], bounds: &Bounds) -> Result<Vec<Camera>, Failure> {
+    pub fn cameras(&self, views: &[ViewPreset], bounds: &Bounds, origin: DVec3) -> Result<Vec<Camera>, Failure> {
         let ortho = self.ortho.or(Some(OrthoHeight::Fit));
-        views.iter().map(|&view| Self { view: Some(view), ortho, ..self.clone() }.camera(bounds)).collect()
+        views.iter().map(|&view| Self { view: Some(view), ortho, ..self.clone() }.camera(bounds, origin)).collect()
     }
 
     /// What facing depends on. Unlike a camera, an eye on the target is no obstacle.
-    pub fn viewpoint(&self, bounds: &Bounds) -> Result<Viewpoint, Failure> {
+    pub fn viewpoint(&self, bounds: &Bounds, origin: DVec3) -> Result<Viewpoint, Failure> {
         match (self.eye.filter(|_| self.view.is_none()), self.ortho) {
-            (Some(eye), None) => Ok(Viewpoint::Perspective { eye }),
-            _ => Ok(self.camera(bounds)?.viewpoint()),
+            (Some(eye), None) => Ok(Viewpoint::Perspective { eye: (eye - origin).as_vec3() }),
+            _ => Ok(self.camera(bounds, origin)?.viewpoint()),
         }
     }
 
@@ -137,14 +138,18 @@ fn is_along(forward: DVec3, up: Vec3) -> bool {
     forward.normalize_or_zero().cross(up.as_dvec3().normalize_or_zero()).length_squared() < 1e-6
 }
 
-/// Three finite numbers separated by commas.
 fn vector(text: &str) -> Result<Vec3, String> {
-    let numbers: Vec<f32> = text
+    Ok(point(text)?.as_vec3())
+}
+
+/// Three numbers separated by commas, finite in 32 bits.
+fn point(text: &str) -> Result<DVec3, String> {
+    let numbers: Vec<f64> = text
         .split(',')
-        .map(|number| number.trim().parse().ok().filter(|value: &f32| value.is_finite()))
+        .map(|number| number.trim().parse().ok().filter(|&value: &f64| (value as f32).is_finite()))
         .collect::<Option<_>>()
         .ok_or("expected three numbers such as 1,2.5,-3")?;
-    <[f32; 3]>::try_from(numbers).map(Vec3::from).map_err(|_| "expected three numbers such as 1,2.5,-3".to_owned())
+    <[f64; 3]>::try_from(numbers).map(DVec3::from).map_err(|_| "expected three numbers such as 1,2.5,-3".to_owned())
 }
 
 fn field_of_view(text: &str) -> Result<f64, String> {
@@ -194,28 +199,39 @@ mod tests {
     #[test]
     fn the_eye_decides_the_viewpoint_even_on_the_target() {
         let arguments = parse(&["--eye", "-1,2.5,0"]);
-        assert_eq!(arguments.viewpoint(&BOUNDS).unwrap(), Viewpoint::Perspective { eye: Vec3::new(-1.0, 2.5, 0.0) });
-        assert_eq!(parse(&["--eye", "0,0,0"]).viewpoint(&BOUNDS).unwrap(), Viewpoint::Perspective { eye: Vec3::ZERO });
-        assert!(parse(&["--eye", "0,0,0"]).camera(&BOUNDS).is_ok());
-        assert!(parse(&["--eye", "0,9,0"]).camera(&BOUNDS).is_ok(), "looks along the default up");
-        assert!(parse(&["--eye", "0,9,0", "--target", "0,9,0"]).camera(&BOUNDS).is_err());
+        assert_eq!(
+            arguments.viewpoint(&BOUNDS, DVec3::ZERO).unwrap(),
+            Viewpoint::Perspective { eye: Vec3::new(-1.0, 2.5, 0.0) }
+        );
+        assert_eq!(
+            parse(&["--eye", "0,0,0"]).viewpoint(&BOUNDS, DVec3::ZERO).unwrap(),
+            Viewpoint::Perspective { eye: Vec3::ZERO }
+        );
+        assert!(parse(&["--eye", "0,0,0"]).camera(&BOUNDS, DVec3::ZERO).is_ok());
+        assert!(parse(&["--eye", "0,9,0"]).camera(&BOUNDS, DVec3::ZERO).is_ok(), "looks along the default up");
+        assert!(parse(&["--eye", "0,9,0", "--target", "0,9,0"]).camera(&BOUNDS, DVec3::ZERO).is_err());
     }
 
     #[test]
     fn eyes_as_far_as_numbers_reach_are_cameras() {
         for eye in ["0,0,1e20", "0,0,-1e38", "1e30,0,0", "0,0,1e-30", "0,1e25,0", "1e38,1e38,1e38"] {
-            let camera = parse(&["--eye", eye]).camera(&BOUNDS);
+            let camera = parse(&["--eye", eye]).camera(&BOUNDS, DVec3::ZERO);
             assert!(camera.is_ok(), "{eye}: {camera:?}");
-            assert!(parse(&["--eye", eye, "--view", "front"]).camera(&BOUNDS).is_ok(), "{eye}");
+            assert!(parse(&["--eye", eye, "--view", "front"]).camera(&BOUNDS, DVec3::ZERO).is_ok(), "{eye}");
         }
     }
 
     #[test]
     fn orthographic_views_point_towards_the_viewer() {
         let arguments = parse(&["--ortho", "3", "--view", "top"]);
-        let Viewpoint::Orthographic { toward_viewer } = arguments.viewpoint(&BOUNDS).unwrap() else { panic!() };
+        let Viewpoint::Orthographic { toward_viewer } = arguments.viewpoint(&BOUNDS, DVec3::ZERO).unwrap() else {
+            panic!()
+        };
         assert!(toward_viewer.normalize().distance(Vec3::Y) < 1e-6);
-        assert_eq!(arguments.camera(&BOUNDS).unwrap().projection(), Projection::Orthographic { height: 3.0 });
+        assert_eq!(
+            arguments.camera(&BOUNDS, DVec3::ZERO).unwrap().projection(),
+            Projection::Orthographic { height: 3.0 }
+        );
     }
 
     #[test]
@@ -232,10 +248,11 @@ mod tests {
 
     #[test]
     fn views_of_a_mesh_with_z_up_are_cad_s() {
-        let front = parse(&["--view", "front", "--up-axis", "z"]).camera(&BOUNDS).unwrap();
+        let front = parse(&["--view", "front", "--up-axis", "z"]).camera(&BOUNDS, DVec3::ZERO).unwrap();
         assert!(front.eye().normalize().distance(Vec3::NEG_Y) < 1e-6 && front.up() == Vec3::Z);
-        assert!(parse(&["--eye", "0,0,9", "--up-axis", "z"]).camera(&BOUNDS).is_ok(), "looks along z");
-        let Err(Failure::Input(message)) = parse(&["--view", "front", "--up", "0,0,1"]).camera(&BOUNDS) else {
+        assert!(parse(&["--eye", "0,0,9", "--up-axis", "z"]).camera(&BOUNDS, DVec3::ZERO).is_ok(), "looks along z");
+        let Err(Failure::Input(message)) = parse(&["--view", "front", "--up", "0,0,1"]).camera(&BOUNDS, DVec3::ZERO)
+        else {
             panic!("the view looks along z")
         };
         assert!(message.contains("--up-axis z"), "{message}");
@@ -243,7 +260,7 @@ mod tests {
 
     #[test]
     fn an_eye_beside_a_view_is_its_distance() {
-        let camera = parse(&["--view", "left", "--eye", "0,0,7"]).camera(&BOUNDS).unwrap();
+        let camera = parse(&["--view", "left", "--eye", "0,0,7"]).camera(&BOUNDS, DVec3::ZERO).unwrap();
         assert!(camera.eye().distance(Vec3::new(-7.0, 0.0, 0.0)) < 1e-5, "{camera:?}");
     }
 }

@@ -3,6 +3,7 @@
 use crate::args::CompareArguments;
 use crate::failure::{self, Failure};
 use crate::input;
+use crate::mesh_argument::MeshArgument;
 use crate::output::check_writable;
 use crate::progress::TerminalProgress;
 use crate::render::draws_itself;
@@ -31,7 +32,7 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
     }
     let progress = TerminalProgress::new();
     let depends = config.methods().iter().any(|choice| draws_itself(&choice.entry));
-    let subjects = subjects(config.scene(), arguments.orient.winding(depends), &progress)?;
+    let subjects = subjects(config.scene(), &arguments.meshes, arguments.orient.winding(depends), &progress)?;
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
     let key = Key::of(&config, &subjects);
     if let Some(shard) = shard {
@@ -119,7 +120,7 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
         scene.set(setting, registry).map_err(|fault| Failure::Input(format!("--set {setting}: {fault}")))?;
     }
     if !arguments.meshes.is_empty() {
-        scene.meshes = arguments.meshes.iter().cloned().map(MeshSpec::Plain).collect();
+        scene.meshes = arguments.meshes.iter().map(|mesh| MeshSpec::Plain(mesh.to_string())).collect();
     }
     if let Some(faces) = arguments.simplify {
         let simplified = scene.simplify_meshes(faces.get());
@@ -136,16 +137,27 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
     CompareConfig::new(scene, registry).map_err(|fault| Failure::input(fault.in_scene(place)))
 }
 
-/// Loads the meshes of a scene, simplifies those that are to be drawn so, and loads those that others stand for.
-fn subjects(scene: &Scene, winding: Winding, progress: &dyn Progress) -> Result<Vec<Subject>, Failure> {
-    let names: Vec<String> = scene.meshes.iter().map(|spec| spec.mesh().to_owned()).collect();
-    let meshes = input::meshes(&names, &[], winding, progress)?;
+/// Loads the meshes of a scene, simplifies those that are to be drawn so, and loads those that others stand for. Where meshes
+/// are `named` on the command line, they are those of the scene: its text could not hold every file name.
+fn subjects(
+    scene: &Scene,
+    named: &[MeshArgument],
+    winding: Winding,
+    progress: &dyn Progress,
+) -> Result<Vec<Subject>, Failure> {
+    let of_scene: Vec<&str> = scene.meshes.iter().map(MeshSpec::mesh).collect();
+    let meshes = input::meshes(named, &of_scene, winding, progress)?;
     let subject = |(mesh, spec): (NamedMesh, &MeshSpec)| {
         if let Some(faces) = spec.simplify() {
             let refused = |fault| Failure::Input(format!("{}: {fault}", mesh.name));
             return Subject::simplified(&mesh, faces).map_err(refused);
         }
-        let load = |name: &str| input::mesh(name, winding, progress).map(|truth| Arc::clone(truth.mesh.mesh()));
+        let origin = mesh.mesh.mesh().origin();
+        let load = |name: &str| {
+            let truth = input::mesh(&name.into(), winding, progress)?;
+            let placed = truth.mesh.mesh().relative_to(origin);
+            placed.map(Arc::new).map_err(|error| Failure::Input(format!("{name}: {error}")))
+        };
         Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
     };
     meshes.into_iter().zip(&scene.meshes).map(subject).collect()

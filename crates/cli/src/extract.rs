@@ -78,12 +78,12 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
         return Err(Failure::Input(format!("--method {name} extracts no edges and no curves; choose {known}")));
     }
     let options = OptionValues::parse(info.options, arguments.method.set.iter().map(String::as_str))?;
-    let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
+    let output = Output::create(arguments.output.as_deref(), std::slice::from_ref(&arguments.mesh))?;
     let progress = TerminalProgress::new();
     let NamedMesh { name, mesh } =
         input::welded(&arguments.mesh, arguments.weld, arguments.orient.winding(false), &progress)?;
     let bounds = mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{name}: has no face")))?;
-    let viewpoint = arguments.camera.viewpoint(&bounds)?;
+    let viewpoint = arguments.camera.viewpoint(&bounds, mesh.mesh().origin())?;
 
     let prepared = entry.prepare(&mesh, &options, &progress);
     let mut prepared = prepared.map_err(|error| Failure::of_preparation(&name, info.name, error))?;
@@ -96,7 +96,7 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let bytes = match format {
         Format::Json => json::write(&found)?,
         Format::Obj => obj::write(&found, &bounds),
-        Format::Svg => svg::write(&found, &name, &arguments.camera.camera(&bounds)?),
+        Format::Svg => svg::write(&found, &name, &arguments.camera.camera(&bounds, mesh.mesh().origin())?),
     };
     output.write(&bytes)
 }
@@ -108,7 +108,7 @@ fn edges_of_every_view(arguments: &ExtractArguments) -> Result<(), Failure> {
         let mend = "leave out --method, --set and the camera, or choose .json, .svg or .obj";
         return Err(Failure::Input(format!("a .glb holds the edges of every view, whatever finds them; {mend}")));
     }
-    let output = Output::create(arguments.output.as_deref(), &[&arguments.mesh])?;
+    let output = Output::create(arguments.output.as_deref(), std::slice::from_ref(&arguments.mesh))?;
     let progress = TerminalProgress::new();
     let mesh = input::welded(&arguments.mesh, arguments.weld, arguments.orient.winding(false), &progress)?;
     if mesh.mesh.mesh().face_count() == 0 {

@@ -1,11 +1,12 @@
 //! Meshes named on the command line: files, or `builtin:NAME`.
 
+use crate::bake;
 use crate::failure::{Failure, note};
 use crate::interrupt;
+use crate::mesh_argument::MeshArgument;
 use crate::winding::Winding;
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
-use silhouette_compare::scene::BUILTIN;
 use silhouette_core::load::{self, Format, LabelledMesh, Note};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
@@ -16,12 +17,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
-pub fn mesh(argument: &str, winding: Winding, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+pub fn mesh(argument: &MeshArgument, winding: Winding, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
     labelled(argument, winding, progress).map(|(name, loaded)| prepared(name, loaded))
 }
 
 /// The same, with what the reader of the file noted instead of printing it.
-pub fn mesh_with_notes(argument: &str, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
+pub fn mesh_with_notes(argument: &MeshArgument, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
     let (name, mut loaded) = silently_labelled(argument, progress)?;
     let notes = std::mem::take(&mut loaded.notes);
     Ok((prepared(name, loaded), notes))
@@ -34,7 +35,7 @@ fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
 
 /// The same with vertices joined that are no farther apart than a distance, if there is one.
 pub fn welded(
-    argument: &str,
+    argument: &MeshArgument,
     distance: Option<f32>,
     winding: Winding,
     progress: &dyn Progress,
@@ -61,14 +62,14 @@ pub fn weld(loaded: &mut LabelledMesh, distance: f32) -> Result<(), Failure> {
 /// What `method` is to draw: one mesh, or several as one, each with its own vertices and edges. A `.siltex` file, too, is a mesh for
 /// methods that draw silhouette textures, that of its hull.
 pub fn drawable(
-    arguments: &[&str],
+    arguments: &[MeshArgument],
     method: &Entry,
     winding: Winding,
     progress: &dyn Progress,
 ) -> Result<NamedMesh, Failure> {
-    if let Some(argument) = arguments.iter().find(|argument| is_texture(argument)) {
+    if let Some((argument, path)) = arguments.iter().find_map(|argument| Some((argument, texture(argument)?))) {
         return match arguments.len() {
-            1 => hull_of_texture(argument, method),
+            1 => hull_of_texture(argument, path, method),
             _ => Err(Failure::Input(format!("{argument}: a silhouette texture is drawn alone; name no other mesh"))),
         };
     }
@@ -89,21 +90,21 @@ pub fn drawable(
     Ok(prepared(name, LabelledMesh { mesh, labels: None, feature_edges, notes: Vec::new(), parts: None }))
 }
 
-fn is_texture(argument: &str) -> bool {
-    let extension = Path::new(argument).extension();
-    !argument.starts_with(BUILTIN) && extension.is_some_and(|extension| extension.eq_ignore_ascii_case("siltex"))
+/// The path of a file of a silhouette texture.
+fn texture(argument: &MeshArgument) -> Option<&Path> {
+    let is_texture = |path: &&Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("siltex"));
+    argument.path().filter(is_texture)
 }
 
-fn hull_of_texture(argument: &str, method: &Entry) -> Result<NamedMesh, Failure> {
+fn hull_of_texture(argument: &MeshArgument, path: &Path, method: &Entry) -> Result<NamedMesh, Failure> {
     if !method.info().needs.contains(&Textures::NAME) {
         return Err(Failure::Input(format!(
             "{argument}: --method {} draws no silhouette textures; choose texture, texture-lines or normal-map-hull",
             method.info().name
         )));
     }
-    let path = Path::new(argument);
-    let texture = siltex::read(path).map_err(Failure::input)?.texture;
-    let hull = Arc::clone(texture.parts().hull.mesh());
+    let siltex::Siltex { texture, metadata, .. } = siltex::read(path).map_err(Failure::input)?;
+    let hull = texture.parts().hull.mesh().as_ref().clone().with_origin(bake::origin(&metadata));
     let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(texture));
     Ok(NamedMesh { name: file_name(path), mesh: Arc::new(mesh) })
 }
@@ -113,7 +114,11 @@ fn file_name(path: &Path) -> String {
 }
 
 /// The same, with what the file calls its parts: by their materials and groups. Prints what the reader noted.
-fn labelled(argument: &str, winding: Winding, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+fn labelled(
+    argument: &MeshArgument,
+    winding: Winding,
+    progress: &dyn Progress,
+) -> Result<(String, LabelledMesh), Failure> {
     let (name, mut loaded) = silently_labelled(argument, progress)?;
     for about_file in &loaded.notes {
         note(format_args!("{argument}: {about_file}"));
@@ -122,33 +127,29 @@ fn labelled(argument: &str, winding: Winding, progress: &dyn Progress) -> Result
     Ok((name, loaded))
 }
 
-fn silently_labelled(argument: &str, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
-    if let Some(shape) = argument.strip_prefix(BUILTIN) {
-        let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
-        return Ok((
-            argument.to_owned(),
-            LabelledMesh { mesh, labels: None, parts: None, feature_edges: Vec::new(), notes: Vec::new() },
-        ));
+fn silently_labelled(argument: &MeshArgument, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+    match argument {
+        MeshArgument::Builtin(shape) => {
+            let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;
+            let loaded = LabelledMesh { mesh, labels: None, parts: None, feature_edges: Vec::new(), notes: Vec::new() };
+            Ok((argument.to_string(), loaded))
+        }
+        MeshArgument::StandardInput => {
+            let name = argument.to_string();
+            let mut bytes = Vec::new();
+            let read = interrupt::while_waiting(|| std::io::stdin().lock().read_to_end(&mut bytes));
+            read.map_err(|error| Failure::Input(format!("{name}: {error}; name a file")))?;
+            let loaded = load::read_labelled(format_of(&bytes), &name, &bytes, progress)?;
+            Ok((name, loaded))
+        }
+        MeshArgument::File(path) => Ok((file_name(path), load::load_labelled(path, progress)?)),
     }
-    if argument == STANDARD_INPUT {
-        let name = "standard input";
-        let mut bytes = Vec::new();
-        let read = interrupt::while_waiting(|| std::io::stdin().lock().read_to_end(&mut bytes));
-        read.map_err(|error| Failure::Input(format!("{name}: {error}; name a file")))?;
-        return Ok((name.to_owned(), load::read_labelled(format_of(&bytes), name, &bytes, progress)?));
-    }
-    let path = Path::new(argument);
-    let loaded = load::load_labelled(path, progress)?;
-    Ok((file_name(path), loaded))
 }
 
 /// Whether an argument names a mesh that is there: a file, a built-in shape or standard input.
-pub fn names_mesh(argument: &str) -> bool {
-    argument.starts_with(BUILTIN) || argument == STANDARD_INPUT || Path::new(argument).exists()
+pub fn names_mesh(argument: &MeshArgument) -> bool {
+    argument.path().is_none_or(Path::exists)
 }
-
-/// What stands for standard input.
-const STANDARD_INPUT: &str = "-";
 
 /// The format that a file without a name begins as; OBJ, which has no sign of its own, where it is none of the others.
 fn format_of(bytes: &[u8]) -> Format {
@@ -172,12 +173,12 @@ fn format_of(bytes: &[u8]) -> Format {
 
 /// Loads all that are named, or `defaults` where none is.
 pub fn meshes(
-    arguments: &[String],
+    arguments: &[MeshArgument],
     defaults: &[&str],
     winding: Winding,
     progress: &dyn Progress,
 ) -> Result<Vec<NamedMesh>, Failure> {
-    let defaults: Vec<String> = defaults.iter().map(|&name| name.to_owned()).collect();
+    let defaults: Vec<MeshArgument> = defaults.iter().copied().map(MeshArgument::from).collect();
     let named = if arguments.is_empty() { &defaults[..] } else { arguments };
     let mut meshes = named.iter().map(|argument| mesh(argument, winding, progress)).collect::<Result<Vec<_>, _>>()?;
     tell_apart(&mut meshes, named);
@@ -185,17 +186,20 @@ pub fn meshes(
 }
 
 /// Loads all that are named, each with the labels of its faces.
-pub fn labelled_meshes(arguments: &[String], progress: &dyn Progress) -> Result<Vec<(String, LabelledMesh)>, Failure> {
+pub fn labelled_meshes(
+    arguments: &[MeshArgument],
+    progress: &dyn Progress,
+) -> Result<Vec<(String, LabelledMesh)>, Failure> {
     arguments.iter().map(|argument| labelled(argument, Winding::AsItIs, progress)).collect()
 }
 
 /// Different files of the same name go by their paths, as they were given.
-fn tell_apart(meshes: &mut [NamedMesh], arguments: &[String]) {
+fn tell_apart(meshes: &mut [NamedMesh], arguments: &[MeshArgument]) {
     let names: Vec<_> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
     for (mesh, argument) in meshes.iter_mut().zip(arguments) {
         let mut others = names.iter().zip(arguments).filter(|&(_, other)| other != argument);
         if others.any(|(name, _)| *name == mesh.name) {
-            mesh.name.clone_from(argument);
+            mesh.name = argument.to_string();
         }
     }
 }
@@ -211,7 +215,7 @@ mod tests {
         let path = folder.path().join("bent.obj");
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
         std::fs::write(&path, format!("{square}s 1\nf 1 2 3\ns 2\nf 1 3 4\n")).unwrap();
-        let loaded = mesh(path.to_str().unwrap(), Winding::AsItIs, &NoProgress).unwrap();
+        let loaded = mesh(&path.into_os_string().into(), Winding::AsItIs, &NoProgress).unwrap();
         assert_eq!(loaded.mesh.feature_edges(), [[VertexId::new(0), VertexId::new(2)]]);
     }
 
@@ -245,7 +249,7 @@ mod tests {
         let mesh = Arc::new(PreparedMesh::new(TriangleMesh::new(vec![], vec![]).unwrap()));
         let named = |name: &str| NamedMesh { name: name.to_owned(), mesh: Arc::clone(&mesh) };
         let mut meshes = [named("m.obj"), named("x.obj"), named("m.obj")];
-        tell_apart(&mut meshes, &["a/m.obj", "a/x.obj", "b/m.obj"].map(str::to_owned));
+        tell_apart(&mut meshes, &["a/m.obj", "a/x.obj", "b/m.obj"].map(MeshArgument::from));
         assert_eq!(meshes.map(|mesh| mesh.name), ["a/m.obj", "x.obj", "b/m.obj"]);
     }
 }

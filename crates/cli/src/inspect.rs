@@ -7,6 +7,7 @@ use crate::output::Output;
 use crate::progress::TerminalProgress;
 use serde::Serialize;
 use silhouette_core::Topology;
+use silhouette_core::heal::TJunctions;
 use silhouette_core::inspect::{Defects, Inspection, inspect};
 use std::fmt::{Display, Write};
 
@@ -58,15 +59,38 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
     if found.inside_out_faces > 0 {
         row("inside out", format!("{} of {} faces; --orient turns them", found.inside_out_faces, found.faces));
     }
+    if found.cavities > 0 {
+        row("cavities", format!("{}, whose walls rightly point inward", found.cavities));
+    }
+    if let Some(seams) = found.seams {
+        let weld = if seams.distance == 0.0 { "--weld".to_owned() } else { format!("--weld={}", seams.distance) };
+        row(
+            "seams",
+            format!("{} of {} boundary edges; {weld} closes them", seams.boundary_edges, found.boundary_edges),
+        );
+    }
+    if let Some(junctions) = found.t_junctions {
+        let TJunctions { edges, largest_distance } = junctions;
+        let far = if largest_distance == 0.0 { String::new() } else { format!(", up to {largest_distance:.1e} off") };
+        row("T-junctions", format!("{edges} edges with vertices on them{far}; lines --heal divides them"));
+    }
     row("components", found.components.len().to_string());
+    let inward = found.components.iter().filter_map(|part| Some((part.first_face, part.volume.filter(|v| *v < 0.0)?)));
+    let inward: Vec<_> = inward.map(|(face, volume)| format!("{} (face {face})", rounded(volume))).collect();
+    if !inward.is_empty() {
+        row("negative volume", format!("{} of them: {}", inward.len(), shown(&inward)));
+    }
     row("genus", found.genus.map_or_else(|| "undefined".to_owned(), |genus| genus.to_string()));
     row("Euler number", found.euler_characteristic.to_string());
     let lengths: Vec<_> = found.boundary_loops.iter().map(|boundary| boundary.edges).collect();
     let edges = if lengths.is_empty() { String::new() } else { format!(" (edges: {})", shown(&lengths)) };
     row("boundary loops", format!("{}{edges}", lengths.len()));
     if let Some(extent) = found.extent {
-        let [a, b] = [extent.min, extent.max].map(|p| p.map(|c| format!("{c:.6}")).join(", "));
-        row("extent", format!("[{a}] to [{b}], diagonal {:.6}", extent.diagonal));
+        let [a, b] = [extent.min, extent.max].map(|p| p.map(number).join(", "));
+        row("extent", format!("[{a}] to [{b}], diagonal {}", rounded(extent.diagonal)));
+    }
+    if found.origin.iter().any(|&coordinate| coordinate != 0.0) {
+        row("origin", format!("[{}], from which positions count", found.origin.map(number).join(", ")));
     }
     if let Some(lengths) = found.edge_lengths {
         row("edge length", format!("{:.3e} to {:.3e}, mean {:.3e}", lengths.min, lengths.max, lengths.mean));
@@ -84,6 +108,17 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
         list_defects(&found.defects, &mut text);
     }
     text
+}
+
+/// A number in full, with a power of ten where that is shorter.
+fn number(value: f64) -> String {
+    let is_handy = value == 0.0 || (1e-4..1e10).contains(&value.abs());
+    if is_handy { value.to_string() } else { format!("{value:e}") }
+}
+
+/// The same of seven digits.
+fn rounded(value: f64) -> String {
+    number(format!("{value:.6e}").parse().unwrap_or(value))
 }
 
 fn list_defects(defects: &Defects, text: &mut String) {

@@ -20,6 +20,7 @@ mod interrupt;
 mod lines;
 mod merge;
 mod mesa;
+mod mesh_argument;
 mod out_of_view;
 mod output;
 mod progress;

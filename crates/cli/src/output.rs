@@ -1,6 +1,7 @@
 //! Output files: written beside their place, moved there when complete, so that a failed run leaves nothing behind.
 
 use crate::failure::Failure;
+use crate::mesh_argument::MeshArgument;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
@@ -16,7 +17,7 @@ pub enum Output {
 
 impl Output {
     /// An output at `path`, or on standard output where there is none, that is none of the files `inputs`.
-    pub fn create(path: Option<&Path>, inputs: &[&str]) -> Result<Self, Failure> {
+    pub fn create(path: Option<&Path>, inputs: &[MeshArgument]) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Stdout) };
         // A link stays a link: what it points to is replaced.
         let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
@@ -26,7 +27,11 @@ impl Output {
         if path.exists() && !path.is_file() {
             return Err(Failure::Input(format!("{}: is no regular file; name another place", path.display())));
         }
-        if inputs.iter().any(|input| Path::new(input).canonicalize().is_ok_and(|input| input == path)) {
+        if inputs
+            .iter()
+            .filter_map(MeshArgument::path)
+            .any(|input| input.canonicalize().is_ok_and(|input| input == path))
+        {
             return Err(Failure::Input(format!("{}: is the input; name another place", path.display())));
         }
         // Proves that the place can be written to; dropped, so that a run that is killed leaves nothing.

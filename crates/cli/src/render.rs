@@ -30,12 +30,11 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
     let ground = if arguments.transparent { Ground::Transparent } else { Ground::Paper };
     let words = on_ground(entry, ground).into_iter().chain(arguments.method.set.iter().map(String::as_str));
     let options = OptionValues::parse(entry.info().options, words)?;
-    let inputs: Vec<&str> = arguments.meshes.iter().map(String::as_str).collect();
-    let output = Output::create(Some(path), &inputs)?;
+    let output = Output::create(Some(path), &arguments.meshes)?;
     let progress = TerminalProgress::new();
-    let named = input::drawable(&inputs, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
+    let named = input::drawable(&arguments.meshes, entry, arguments.orient.winding(draws_itself(entry)), &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
-    let camera = arguments.camera.camera(&bounds)?;
+    let camera = arguments.camera.camera(&bounds, named.mesh.mesh().origin())?;
     if let Some(reason) = out_of_view(&camera, named.mesh.mesh()) {
         failure::note(format_args!("nothing lies in the view: {reason}"));
     }

@@ -53,11 +53,11 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
         return Err(Failure::Input(format!("--method {} {lacks}; choose {known}", info.name)));
     }
     let options = OptionValues::parse(info.options, arguments.set.iter().map(String::as_str))?;
-    let output = Output::create(Some(&arguments.output), &[&arguments.mesh])?;
+    let output = Output::create(Some(&arguments.output), std::slice::from_ref(&arguments.mesh))?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, Winding::AsItIs, &progress)?;
     let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
-    let camera = arguments.camera.camera(&bounds)?;
+    let camera = arguments.camera.camera(&bounds, named.mesh.mesh().origin())?;
 
     let prepared = entry.prepare(&named.mesh, &options, &progress);
     let mut prepared = prepared.map_err(|error| Failure::of_preparation(&named.name, info.name, error))?;
@@ -67,7 +67,11 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
     }
     let bytes = match format {
         Format::Obj => {
-            let obj = obj::write(&view_mesh, &format!("{} in one view by {}", named.name, info.name));
+            let obj = obj::write(
+                &view_mesh,
+                named.mesh.mesh().origin(),
+                &format!("{} in one view by {}", named.name, info.name),
+            );
             obj.map_err(|error| Failure::Run(format!("{}: {error}", named.name)))?
         }
         Format::Png => {

@@ -9,8 +9,8 @@ use silhouette_core::load::LabelledMesh;
 /// Which way faces are wanted to point.
 #[derive(Debug, Clone, Copy, PartialEq, Args)]
 pub struct OrientArgument {
-    /// Turn parts that are wound inside out, so that faces point outwards: exact for closed parts, a guess for open ones; a cavity
-    /// of a hollow body is turned, too
+    /// Turn parts that are wound inside out, so that faces point outwards: exact for closed parts, a guess for open ones; the
+    /// wall of a cavity points into it
     #[arg(long)]
     pub orient: bool,
 }
@@ -54,8 +54,8 @@ impl Winding {
             note(format_args!("{name}: {count} of {faces} faces were turned, so that they point outwards"));
         } else {
             note(format_args!(
-                "{name}: {count} of {faces} faces are in parts that are wound inside out (cavities count), so that lines may be \
-                 drawn that are hidden; --orient turns them"
+                "{name}: {count} of {faces} faces are in parts that are wound inside out, so that lines may be drawn that are \
+                 hidden; --orient turns them"
             ));
         }
     }

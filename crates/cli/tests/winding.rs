@@ -61,3 +61,37 @@ fn inside_out_parts_are_noted_where_it_matters_and_turned_on_demand() {
     let text = String::from_utf8(run(&["inspect", glb]).stdout).unwrap();
     assert!(!text.contains("inside out") && text.contains("24"), "{text}");
 }
+
+/// A hollow cube: the wall of its cavity points into it, and stays so.
+#[test]
+fn walls_of_cavities_are_right_as_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, glb] = ["hollow.obj", "kept.glb"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    let quads = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
+    let mut obj = String::new();
+    for size in [3.0, 1.0] {
+        for at in 0..8 {
+            let [x, y, z] = [at & 1, at >> 1 & 1, at >> 2].map(|side| size * (f64::from(side) - 0.5));
+            obj += &format!("v {x} {y} {z}\n");
+        }
+    }
+    for [a, b, c, d] in quads {
+        obj += &format!("f {a} {b} {c} {d}\nf {} {} {} {}\n", d + 8, c + 8, b + 8, a + 8);
+    }
+    std::fs::write(&mesh, &obj).unwrap();
+    let text = String::from_utf8(run(&["inspect", &mesh]).stdout).unwrap();
+    assert!(text.contains("no defects") && text.contains("cavities         1"), "{text}");
+    assert!(text.contains("negative volume  1 of them: -1 (face 2)"), "{text}");
+    assert_eq!(notes(&run(&["extract", &mesh, "--orient", "-o", &glb])), "", "nothing to turn");
+
+    // The same, all of it inside out.
+    let turned = obj.lines().map(|line| match line.strip_prefix("f ") {
+        Some(corners) => format!("f {}\n", corners.split(' ').rev().collect::<Vec<_>>().join(" ")),
+        None => format!("{line}\n"),
+    });
+    std::fs::write(&mesh, turned.collect::<String>()).unwrap();
+    let noted = notes(&run(&["extract", &mesh, "--orient", "-o", &glb]));
+    assert!(noted.contains("24 of 24 faces were turned"), "{noted}");
+    let text = String::from_utf8(run(&["inspect", &glb]).stdout).unwrap();
+    assert!(text.contains("no defects") && text.contains("cavities         1"), "{text}");
+}

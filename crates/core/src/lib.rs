@@ -5,6 +5,7 @@
 //! Read [`method`] first when you add a method: it is the whole contract. The rest, in the order data flows:
 //!
 //! 1. [`load`]: a file becomes a [`TriangleMesh`] (one cargo feature per format); [`shapes`] generates meshes instead.
+//!    [`origin`](mod@origin): from where positions count, for meshes far from zero.
 //! 2. [`weld`]: merging of coincident vertices, [`heal`]: mending of T-junctions, both on request only; [`seams`]: what welding would close. [`inspect`]: what is wrong with a mesh, with ids.
 //! 3. [`topology`]: edges with all their incident faces, twin half-edges; [`feature_edges`](mod@feature_edges): those at which the surface is sharp; [`face_normal`](mod@face_normal). [`subdivide`]: a finer, smoother mesh; `simplify`: a coarser one (cargo feature `simplify`).
 //! 4. [`view`]: the [`Viewpoint`] that decides facing, and the [`Camera`] around it.
@@ -37,6 +38,7 @@ pub mod mesh;
 pub mod method;
 pub mod morton;
 pub mod orientation;
+pub mod origin;
 pub mod prepared;
 pub mod progress;
 #[cfg(feature = "save")]

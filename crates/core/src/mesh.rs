@@ -1,6 +1,7 @@
 //! [`TriangleMesh`]: positions and triangles, validated once, immutable afterwards.
 
 use crate::id::{FaceId, VertexId};
+use crate::origin::{common_origin, in_file};
 use glam::{DVec3, Vec3};
 
 /// Triangles over a list of positions.
@@ -10,10 +11,14 @@ use glam::{DVec3, Vec3};
 /// name a vertex twice, unreferenced and coincident vertices. Triangles are meant to be counter-clockwise seen from
 /// outside, in a right-handed space; units are the file's own. Render normals and texture seams are not part of a mesh,
 /// so they never split its topology.
+///
+/// Object space is the file's, unless the mesh lies far from zero: then its axes are parallel, but positions count from
+/// [`origin`](Self::origin).
 #[derive(Debug, Clone, PartialEq)]
 pub struct TriangleMesh {
     positions: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
+    origin: DVec3,
 }
 
 /// Why a list of positions and triangles is no mesh.
@@ -89,32 +94,71 @@ impl TriangleMesh {
             |what, count, limit| if count > limit { Err(MeshError::TooLarge { what, count, limit }) } else { Ok(()) };
         too_large("vertices", positions.len(), MAX_VERTICES)?;
         too_large("faces", triangles.len(), MAX_FACES)?;
-        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
-            return Err(MeshError::NotFinite { vertex: VertexId::from_usize(vertex) });
-        }
+        check_finite(&positions)?;
         let vertices = positions.len();
         for (face, triangle) in triangles.iter().enumerate() {
             if let Some(&index) = triangle.iter().find(|&&index| index as usize >= vertices) {
                 return Err(MeshError::IndexOutOfRange { face: FaceId::from_usize(face), index, vertices });
             }
         }
-        Ok(Self { positions, triangles })
+        Ok(Self { positions, triangles, origin: DVec3::ZERO })
+    }
+
+    /// The same positions, counted from another point of the file's coordinates: the mesh is elsewhere.
+    ///
+    /// # Panics
+    /// If `origin` is not finite.
+    pub fn with_origin(self, origin: DVec3) -> Self {
+        assert!(origin.is_finite(), "an origin is a point");
+        Self { origin, ..self }
+    }
+
+    /// The same mesh at the same place, with positions that count from `origin`, rounded to 32 bits. O(V).
+    ///
+    /// # Errors
+    /// [`MeshError::NotFinite`] where a position is beyond 32 bits as seen from there.
+    ///
+    /// # Panics
+    /// If `origin` is not finite.
+    pub fn relative_to(&self, origin: DVec3) -> Result<Self, MeshError> {
+        let mut moved = self.clone().with_origin(origin);
+        let offset = self.origin - origin;
+        if offset != DVec3::ZERO {
+            moved.positions.iter_mut().for_each(|position| *position = (offset + position.as_dvec3()).as_vec3());
+            check_finite(&moved.positions)?;
+        }
+        Ok(moved)
+    }
+
+    /// The point of the file's coordinates from which positions count. Zero for most meshes, and for all that
+    /// [`TriangleMesh::new`] makes; see [`origin`](mod@crate::origin).
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// A position of this mesh in the coordinates of its file, as they are written: see [`in_file`].
+    pub fn in_file(&self, position: Vec3) -> DVec3 {
+        in_file(self.origin, position)
     }
 
     /// Several meshes in one space as one: the vertices and faces of each follow those of the mesh before it. Nothing is joined.
     /// O(V + F).
     ///
     /// # Errors
-    /// [`MeshError::TooLarge`] if together they are too large.
+    /// [`MeshError`]: together they are too large, or too far from each other for 32 bits.
     pub fn of_parts(parts: &[&Self]) -> Result<Self, MeshError> {
         let (mut positions, mut triangles) = (Vec::new(), Vec::new());
-        for part in parts {
+        let origin = common_origin(parts.iter().copied());
+        for &part in parts {
+            // Most have the same origin, and need no copy.
+            let placed = if part.origin == origin { None } else { Some(part.relative_to(origin)?) };
+            let part = placed.as_ref().unwrap_or(part);
             // Beyond 32 bits the sum wraps, and the size check of the whole refuses the mesh.
             let first = positions.len() as u32;
             positions.extend_from_slice(&part.positions);
             triangles.extend(part.triangles.iter().map(|corners| corners.map(|corner| corner.wrapping_add(first))));
         }
-        Self::new(positions, triangles)
+        Ok(Self::new(positions, triangles)?.with_origin(origin))
     }
 
     /// Positions in object space, indexed by [`VertexId::index`].
@@ -157,6 +201,11 @@ impl TriangleMesh {
     pub fn bytes(&self) -> usize {
         size_of_val(self.positions.as_slice()) + size_of_val(self.triangles.as_slice())
     }
+}
+
+fn check_finite(positions: &[Vec3]) -> Result<(), MeshError> {
+    let vertex = positions.iter().position(|position| !position.is_finite());
+    vertex.map_or(Ok(()), |vertex| Err(MeshError::NotFinite { vertex: VertexId::from_usize(vertex) }))
 }
 
 #[cfg(test)]

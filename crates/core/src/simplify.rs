@@ -172,8 +172,8 @@ fn without_degenerate_faces(mesh: &TriangleMesh) -> TriangleMesh {
 }
 
 fn over_same_vertices(mesh: &TriangleMesh, triangles: Vec<[u32; 3]>) -> TriangleMesh {
-    let mesh = TriangleMesh::new(mesh.positions().to_vec(), triangles);
-    mesh.expect("fewer triangles over the vertices of a valid mesh are a valid mesh")
+    let fewer = TriangleMesh::new(mesh.positions().to_vec(), triangles);
+    fewer.expect("fewer triangles over the vertices of a valid mesh are a valid mesh").with_origin(mesh.origin())
 }
 
 /// Positions relative to the box around the faces, whose largest extent becomes 1; `None` without faces.
@@ -194,8 +194,8 @@ fn compacted(mesh: &TriangleMesh) -> TriangleMesh {
         }
     }
     let triangles = mesh.triangles().iter().map(|triangle| triangle.map(|vertex| renumbered[vertex as usize]));
-    let mesh = TriangleMesh::new(positions, triangles.collect());
-    mesh.expect("every vertex that a triangle names is kept")
+    let compacted = TriangleMesh::new(positions, triangles.collect());
+    compacted.expect("every vertex that a triangle names is kept").with_origin(mesh.origin())
 }
 
 #[cfg(test)]

@@ -107,8 +107,8 @@ fn refine(mesh: &TriangleMesh, positions: &[DVec3], topology: &Topology) -> (Vec
 
     let triangles = split_faces(mesh, topology);
     let rounded: Vec<Vec3> = fine.par_iter().map(|position| position.as_vec3()).collect();
-    let mesh = TriangleMesh::new(rounded, triangles).expect("averages of finite positions are finite, counts checked");
-    (fine, mesh)
+    let finer = TriangleMesh::new(rounded, triangles).expect("averages of finite positions are finite, counts checked");
+    (fine, finer.with_origin(mesh.origin()))
 }
 
 /// The four children of every face.

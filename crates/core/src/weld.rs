@@ -83,9 +83,10 @@ fn weld(mesh: &TriangleMesh, mut id_of: impl FnMut(Vec3, &[Vec3]) -> u32) -> Wel
         vertex_of.push(id);
     }
     let triangles = mesh.triangles().iter().map(|triangle| triangle.map(|vertex| vertex_of[vertex as usize])).collect();
-    let mesh = TriangleMesh::new(representatives, triangles);
-    let mesh =
-        mesh.expect("positions are a subset of a valid mesh's, and every triangle's vertex has a representative");
+    let welded = TriangleMesh::new(representatives, triangles);
+    let welded =
+        welded.expect("positions are a subset of a valid mesh's, and every triangle's vertex has a representative");
+    let mesh = welded.with_origin(mesh.origin());
     Welded { mesh, vertex_of }
 }
 

@@ -2,7 +2,7 @@
 //!
 //!     cargo run --release -p silhouette-visibility --example pen_travel [STROKES...]
 
-use silhouette_core::glam::{DVec2, Vec3};
+use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{EdgeId, NoProgress};
 use silhouette_visibility::plot::{Length, PlotOptions, plot};
@@ -53,7 +53,7 @@ fn strokes(count: usize, reach: f64) -> Result<Lines, Box<dyn Error>> {
             handles: &[],
         });
     }
-    Ok(Lines { camera, chains, outline: Outline::default(), stats: LineStats::default() })
+    Ok(Lines { camera, chains, outline: Outline::default(), origin: DVec3::ZERO, stats: LineStats::default() })
 }
 
 /// The same numbers in every run: a linear congruential generator, of which the upper bits are taken.

@@ -171,7 +171,7 @@ impl LineFinder {
             Outline::default()
         };
         stats.outline = started.elapsed();
-        Ok(Lines { camera: *camera, chains, outline, stats })
+        Ok(Lines { camera: *camera, chains, outline, origin: self.scene.mesh().mesh().origin(), stats })
     }
 
     /// The outline of a view: the boundary of the union of all projected faces. It is followed eight pictures beyond the

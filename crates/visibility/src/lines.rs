@@ -3,6 +3,7 @@
 use crate::chains::Chains;
 use crate::outline::Outline;
 use silhouette_core::Camera;
+use silhouette_core::glam::DVec3;
 use std::ops::Add;
 use std::time::Duration;
 
@@ -15,6 +16,9 @@ pub struct Lines {
     pub chains: Chains,
     /// The outline; empty unless asked for.
     pub outline: Outline,
+    /// From where points and the camera count, in the coordinates of the meshes' files: the scene's
+    /// [`origin`](silhouette_core::TriangleMesh::origin).
+    pub origin: DVec3,
     /// What it cost.
     pub stats: LineStats,
 }

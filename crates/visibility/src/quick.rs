@@ -144,7 +144,8 @@ impl QuickLineFinder {
         stats.chain = started.elapsed();
         stats.edges = strokes.strokes.len() as u64;
         stats.pieces = pieces.len() as u64;
-        Ok(Lines { camera: *camera, chains, outline: Outline::default(), stats })
+        let origin = self.scene.mesh().mesh().origin();
+        Ok(Lines { camera: *camera, chains, outline: Outline::default(), origin, stats })
     }
 }
 

@@ -2,22 +2,39 @@
 
 use super::{Extraction, FoundEdges};
 use crate::failure::Failure;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use serde::Serialize;
 use silhouette_core::curves::{CurveChain, CurveKind, CurveSource, SmoothPiece};
 use silhouette_core::method::ExtractionStats;
-use silhouette_core::{FaceId, Topology, VertexId, Viewpoint};
+use silhouette_core::{FaceId, TriangleMesh, VertexId, Viewpoint};
 
 #[derive(Serialize)]
 struct Document<'a> {
     method: &'static str,
     mesh: Counts,
-    viewpoint: Viewpoint,
+    viewpoint: PlacedViewpoint,
     #[serde(flatten)]
     edges: Option<&'a FoundEdges>,
     #[serde(skip_serializing_if = "Option::is_none")]
     curves: Option<Vec<Curve>>,
     stats: ExtractionStats,
+}
+
+/// What facing depends on, in the coordinates of the mesh's file.
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum PlacedViewpoint {
+    Perspective { eye: DVec3 },
+    Orthographic { toward_viewer: Vec3 },
+}
+
+impl PlacedViewpoint {
+    fn new(viewpoint: Viewpoint, mesh: &TriangleMesh) -> Self {
+        match viewpoint {
+            Viewpoint::Perspective { eye } => Self::Perspective { eye: mesh.in_file(eye) },
+            Viewpoint::Orthographic { toward_viewer } => Self::Orthographic { toward_viewer },
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -36,7 +53,7 @@ struct Curve {
 struct Piece {
     kind: CurveKind,
     source: PieceSource,
-    control: [Vec3; 4],
+    control: [DVec3; 4],
 }
 
 /// What a piece stands for, in the ids of the mesh.
@@ -49,11 +66,11 @@ enum PieceSource {
 
 /// The document, with a line feed at its end.
 pub fn write(found: &Extraction) -> Result<Vec<u8>, Failure> {
-    let curves_of = |chain: CurveChain<'_>| curve(&chain, &found.topology);
+    let curves_of = |chain: CurveChain<'_>| curve(&chain, found);
     let document = Document {
         method: found.method,
         mesh: Counts { vertices: found.mesh.vertex_count(), triangles: found.mesh.face_count() },
-        viewpoint: found.viewpoint,
+        viewpoint: PlacedViewpoint::new(found.viewpoint, &found.mesh),
         edges: found.edges.as_ref(),
         curves: found.curves.as_ref().map(|curves| curves.iter().map(curves_of).collect()),
         stats: found.stats,
@@ -63,13 +80,13 @@ pub fn write(found: &Extraction) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn curve(chain: &CurveChain<'_>, topology: &Topology) -> Curve {
+fn curve(chain: &CurveChain<'_>, found: &Extraction) -> Curve {
     let piece = |&SmoothPiece { control, kind, source }: &SmoothPiece| {
         let source = match source {
             CurveSource::Face(face) => PieceSource::Face(face),
-            CurveSource::Edge(edge) => PieceSource::Edge(topology.end_points(edge)),
+            CurveSource::Edge(edge) => PieceSource::Edge(found.topology.end_points(edge)),
         };
-        Piece { kind, source, control }
+        Piece { kind, source, control: control.map(|point| found.mesh.in_file(point)) }
     };
     Curve { closed: chain.closed, pieces: chain.pieces.iter().map(piece).collect() }
 }

@@ -1,8 +1,8 @@
 //! An extraction as Wavefront OBJ: one `l` element a curve, or a loop where the method finds no curves.
 
 use super::{Extraction, FoundEdges};
-use silhouette_core::SilhouetteCurves;
 use silhouette_core::mesh::Bounds;
+use silhouette_core::{SilhouetteCurves, TriangleMesh};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -15,7 +15,7 @@ pub fn write(found: &Extraction, bounds: &Bounds) -> Vec<u8> {
     if let Some(curves) = &found.curves {
         let tolerance = TOLERANCE_SHARE * (bounds.max - bounds.min).max_element();
         let _ = writeln!(text, "# {} curves by {}, within {tolerance:.1e}", curves.len(), found.method);
-        write_curves(curves, tolerance, &mut text);
+        write_curves(&found.mesh, curves, tolerance, &mut text);
     } else if let Some(edges) = &found.edges {
         let _ = writeln!(text, "# {} silhouette loops by {}", edges.loops.len(), found.method);
         write_loops(found, edges, &mut text);
@@ -24,14 +24,14 @@ pub fn write(found: &Extraction, bounds: &Bounds) -> Vec<u8> {
 }
 
 /// Curves as polylines, each with vertices of its own.
-fn write_curves(curves: &SilhouetteCurves, tolerance: f64, text: &mut String) {
+fn write_curves(mesh: &TriangleMesh, curves: &SilhouetteCurves, tolerance: f64, text: &mut String) {
     let mut points = Vec::new();
     let mut first = 1;
     for chain in curves.iter() {
         points.clear();
         chain.flatten(tolerance, &mut points);
         for point in &points {
-            let p = point.as_vec3();
+            let p = mesh.in_file(point.as_vec3());
             let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
         }
         text.push('l');
@@ -49,7 +49,7 @@ fn write_loops(found: &Extraction, edges: &FoundEdges, text: &mut String) {
     let mut numbers: BTreeMap<_, usize> = edges.loops.iter().flatten().map(|&vertex| (vertex, 0)).collect();
     numbers.values_mut().zip(1..).for_each(|(number, next)| *number = next);
     for vertex in numbers.keys() {
-        let p = found.mesh.positions()[vertex.index()];
+        let p = found.mesh.in_file(found.mesh.positions()[vertex.index()]);
         let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
     }
     for vertices in &edges.loops {

@@ -23,6 +23,7 @@ use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
+use silhouette_core::origin::common_origin;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
 use silhouette_visibility::plot::{self, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineScene, Lines};
@@ -46,11 +47,10 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
         let mend = "end the output's name in .svg, .pdf, .dxf or .hpgl";
         return Err(Failure::Input(format!("--views: several views need a page; {mend}")));
     }
-    let inputs: Vec<_> = arguments.meshes.iter().map(String::as_str).collect();
     if options.fill.is_some() && !format.fills() {
         note("--fill: only SVG, PDF and DXF have fills; nothing is filled");
     }
-    let output = Output::create(arguments.output.as_deref(), &inputs)?;
+    let output = Output::create(arguments.output.as_deref(), &arguments.meshes)?;
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
@@ -64,7 +64,7 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let scene = scene.with_section_edges(section_edges).map_err(Failure::input)?;
     let masks = parts.masks(&meshes);
     let drawn = masks.as_ref().map(|masks| parts::without_masks(&scene, masks)).transpose()?;
-    let views = views::Views::of(arguments, &bounds)?;
+    let views = views::Views::of(arguments, &bounds, scene.mesh().mesh().origin())?;
     for camera in views.cameras() {
         options.check(camera).map_err(of_plotting)?;
     }
@@ -130,6 +130,11 @@ fn meshes(
         for (name, loaded) in &mut meshes {
             heal(name, loaded, distance)?;
         }
+    }
+    // One camera sees them all.
+    let origin = common_origin(meshes.iter().map(|(_, loaded)| &loaded.mesh));
+    for (_, loaded) in meshes.iter_mut().filter(|(_, loaded)| loaded.mesh.origin() != origin) {
+        loaded.mesh = loaded.mesh.relative_to(origin).map_err(Failure::input)?;
     }
     // Lines are right whichever way faces point, and so are their kinds.
     let winding = arguments.orient.winding(false);

@@ -58,8 +58,8 @@ pub fn select(
     for mask in &arguments.mask {
         if known.contains(mask) {
             parts.masks.push(mask.clone());
-        } else if input::names_mesh(mask) {
-            meshes.extend(input::labelled_meshes(std::slice::from_ref(mask), progress)?);
+        } else if input::names_mesh(&mask.as_str().into()) {
+            meshes.extend(input::labelled_meshes(&[mask.as_str().into()], progress)?);
         } else {
             return Err(unknown_name("--mask", mask, &known, ", and no such file"));
         }

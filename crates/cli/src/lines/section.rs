@@ -1,29 +1,34 @@
 //! `lines --section`: meshes are cut open before their lines are found.
 
+use super::arguments::SectionArgument;
 use crate::failure::{Failure, note};
 use silhouette_core::VertexId;
+use silhouette_core::glam::DVec3;
 use silhouette_core::load::LabelledMesh;
-use silhouette_visibility::{SectionPlane, SectionedMesh};
+use silhouette_visibility::SectionedMesh;
 
 /// Cuts the meshes by each plane; yields the edges along which they were cut, as edges of all meshes set one after another.
 /// `names` are the meshes' names, for errors.
 pub fn cut(
     meshes: &mut [(String, LabelledMesh)],
-    planes: &[SectionPlane],
+    planes: &[SectionArgument],
     names: &str,
 ) -> Result<Vec<[VertexId; 2]>, Failure> {
     if planes.is_empty() {
         return Ok(Vec::new());
     }
     let mut parts: Vec<_> = meshes.iter().map(|(_, loaded)| SectionedMesh::whole(loaded.mesh.clone())).collect();
-    for plane in planes {
+    let origin = meshes.first().map_or(DVec3::ZERO, |(_, loaded)| loaded.mesh.origin());
+    for argument in planes {
+        let beyond = || Failure::Input(format!("--section {argument}: lies beyond 32 bits as seen from the meshes"));
+        let plane = &argument.seen_from(origin).ok_or_else(beyond)?;
         if !parts.iter().any(|part| plane.takes_from(&part.mesh)) {
-            note(format!("{names}: --section {plane} takes nothing away: all lies on the side that stays"));
+            note(format!("{names}: --section {argument} takes nothing away: all lies on the side that stays"));
         }
         parts = parts.into_iter().map(|part| part.cut(plane)).collect::<Result<_, _>>().map_err(Failure::input)?;
         if parts.iter().all(|part| part.mesh.face_count() == 0) {
             let mend = "its normal points to what is taken away; move the plane or turn its normal round";
-            return Err(Failure::Input(format!("{names}: --section {plane} leaves nothing: {mend}")));
+            return Err(Failure::Input(format!("{names}: --section {argument} leaves nothing: {mend}")));
         }
     }
     let (mut edges, mut first) = (Vec::new(), 0_u32);

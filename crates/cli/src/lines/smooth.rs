@@ -121,7 +121,7 @@ impl SmoothView {
         smoothing.remesh(&SmoothingView::from_camera(camera), &mut view_mesh);
         smoothing.extract_curves(&camera.viewpoint(), &mut curves);
         let unwelded = TriangleMesh::new(view_mesh.positions.clone(), view_mesh.triangles.clone());
-        let surface = weld_exact(&unwelded.map_err(Failure::input)?);
+        let surface = weld_exact(&unwelded.map_err(Failure::input)?.with_origin(loaded.mesh.origin()));
 
         let mut inside: HashMap<CurveSource, Vec<u32>> = HashMap::new();
         for (origin, &vertex) in view_mesh.origins.iter().zip(&surface.vertex_of) {

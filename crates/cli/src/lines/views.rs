@@ -6,6 +6,7 @@ use super::{of_finding, of_plotting, quick, smooth};
 use crate::failure::Failure;
 use crate::progress::TerminalProgress;
 use silhouette_core::Camera;
+use silhouette_core::glam::DVec3;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::ViewPreset;
@@ -35,11 +36,11 @@ pub struct Shown<'a> {
 
 impl Views {
     /// The views that are asked for.
-    pub fn of(arguments: &LinesArguments, bounds: &Bounds) -> Result<Self, Failure> {
+    pub fn of(arguments: &LinesArguments, bounds: &Bounds, origin: DVec3) -> Result<Self, Failure> {
         match &arguments.views.views {
-            None => Ok(Self { cameras: vec![arguments.camera.camera(bounds)?], presets: None }),
+            None => Ok(Self { cameras: vec![arguments.camera.camera(bounds, origin)?], presets: None }),
             Some(views) => {
-                let cameras = arguments.camera.cameras(&views.0, bounds)?;
+                let cameras = arguments.camera.cameras(&views.0, bounds, origin)?;
                 Ok(Self { cameras, presets: Some(views.0.clone()) })
             }
         }

@@ -7,7 +7,7 @@ use crate::mesh::TriangleMesh;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Axis-aligned box around the vertices that faces use, in object units.
+/// Axis-aligned box around the vertices that faces use, in the coordinates of the mesh's file.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Extent {
     /// Smallest coordinates.
@@ -47,7 +47,8 @@ impl Extent {
     pub(super) fn of(mesh: &TriangleMesh) -> Option<Self> {
         let bounds = mesh.bounds()?;
         let diagonal = bounds.min.distance(bounds.max);
-        Some(Self { min: bounds.min.to_array(), max: bounds.max.to_array(), diagonal })
+        let [min, max] = [bounds.min, bounds.max].map(|corner| mesh.in_file(corner.as_vec3()).to_array());
+        Some(Self { min, max, diagonal })
     }
 }
 

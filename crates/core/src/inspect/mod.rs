@@ -18,6 +18,7 @@ mod fans;
 mod folds;
 mod measure;
 mod patches;
+mod seams;
 mod vertices;
 
 #[cfg(test)]
@@ -28,9 +29,11 @@ pub use components::Component;
 pub use defects::{Defects, EdgeDefect};
 pub use faces::has_zero_area;
 pub use measure::{EdgeLengths, Extent, SmallestAngle};
+pub use seams::Seams;
 
+use crate::heal::{TJunctions, find_t_junctions};
 use crate::id::{EdgeId, HalfEdgeId};
-use crate::inside_out::inside_out_faces;
+use crate::inside_out::Parts;
 use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
 
@@ -53,12 +56,20 @@ pub struct Inspection {
     pub is_consistently_wound: bool,
     /// Whether reversing some faces would make them agree. A Möbius strip is not orientable.
     pub is_orientable: bool,
-    /// Faces of parts that are wound inside out: exact for closed parts, a guess for open ones. The faces of a cavity count, too.
+    /// Faces of parts that are [wound inside out](crate::inside_out): exact for closed parts, a guess for open ones.
     pub inside_out_faces: usize,
+    /// Closed parts that are walls of cavities, which rightly point inward.
+    pub cavities: usize,
+    /// Boundary edges that welding would join; `None` if there are none.
+    pub seams: Option<Seams>,
+    /// Vertices on boundary edges that they do not divide, once seams of distance 0 are closed; `None` if there are none.
+    pub t_junctions: Option<TJunctions>,
     /// Referenced vertices - edges + faces.
     pub euler_characteristic: i64,
     /// Sum of the components' genera; `None` if one of them has none, or there is no face.
     pub genus: Option<u64>,
+    /// From where the mesh's positions count, in the coordinates of its file; zero unless it lies far from there.
+    pub origin: [f64; 3],
     /// Box around the vertices that faces use; `None` without faces.
     pub extent: Option<Extent>,
     /// Edge lengths in object units; `None` without edges.
@@ -89,6 +100,13 @@ pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
     let defects = defects::find(sides, &fans);
     let components = components::describe(sides, &patches, &fans, &boundary_loops, &defects);
 
+    let (seams, t_junctions) = if boundary_loops.is_empty() {
+        (None, None)
+    } else {
+        let (seams, welded, topology) = Seams::of(sides);
+        (seams, find_t_junctions(&welded, &topology))
+    };
+    let (inside_out_faces, cavities) = Parts::new(mesh, topology).count();
     let edges = components.iter().map(|component| component.edges).sum::<usize>();
     let referenced = mesh.vertex_count() - defects.unreferenced_vertices.len();
     Inspection {
@@ -99,10 +117,14 @@ pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
         is_closed: mesh.face_count() > 0 && boundary_loops.is_empty(),
         is_manifold: defects.non_manifold_edges.is_empty() && defects.non_manifold_vertices.is_empty(),
         is_consistently_wound: defects.inconsistent_edges.is_empty(),
-        inside_out_faces: inside_out_faces(mesh, topology).into_iter().filter(|&is_inside_out| is_inside_out).count(),
+        inside_out_faces,
+        cavities,
+        seams,
+        t_junctions,
         is_orientable: components.iter().all(|component| component.is_orientable),
         euler_characteristic: referenced as i64 - edges as i64 + mesh.face_count() as i64,
         genus: components.iter().map(|component| component.genus).reduce(|a, b| Some(a? + b?)).flatten(),
+        origin: mesh.origin().to_array(),
         extent: Extent::of(mesh),
         edge_lengths: EdgeLengths::of(sides),
         smallest_angle: SmallestAngle::of(mesh),

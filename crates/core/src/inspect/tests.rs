@@ -349,3 +349,41 @@ proptest! {
         prop_assert_eq!(found.defects.duplicate_faces.iter().map(Vec::len).sum::<usize>(), repeated);
     }
 }
+
+/// Two squares side by side, their common side listed twice, `gap` apart.
+fn two_squares(gap: f32) -> TriangleMesh {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [2.0, 0.0], [2.0, 1.0]];
+    let mut positions: Vec<Vec3> = corners.iter().map(|&[x, y]| Vec3::new(x, y, 0.0)).collect();
+    positions.extend([Vec3::new(1.0 + gap, 0.0, 0.0), Vec3::new(1.0 + gap, 1.0, 0.0)]);
+    TriangleMesh::new(positions, vec![[0, 1, 2], [0, 2, 3], [6, 4, 5], [6, 5, 7]]).unwrap()
+}
+
+#[test]
+fn seams_are_found_with_the_distance_that_closes_them() {
+    assert_eq!(examine(&two_squares(0.0)).seams, Some(Seams { distance: 0.0, boundary_edges: 2 }));
+    let near = examine(&two_squares(1e-4)).seams.unwrap();
+    assert_eq!(near.boundary_edges, 2);
+    assert!((near.distance - 1e-4).abs() < 1e-6, "{near:?}");
+    let welded = crate::weld::weld_within(&two_squares(1e-4), near.distance).unwrap().mesh;
+    assert_eq!((examine(&welded).boundary_edges, examine(&welded).seams), (6, None));
+    assert_eq!(examine(&two_squares(0.1)).seams, None, "a gap");
+    assert_eq!(examine(&builtin("cube")).seams, None);
+    assert_eq!(examine(&builtin("grid:3,2")).seams, None);
+}
+
+#[test]
+fn t_junctions_are_counted_across_seams_too() {
+    for lifted in [0.0, 1e-6] {
+        let mut positions: Vec<Vec3> = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0], [2.0, 2.0]]
+            .map(|[x, y]| Vec3::new(x, y, 0.0))
+            .to_vec();
+        positions.push(Vec3::new(1.0, 1.0, lifted));
+        let mesh = TriangleMesh::new(positions, vec![[0, 1, 2], [4, 6, 3], [6, 5, 3]]).unwrap();
+        let found = examine(&mesh).t_junctions.unwrap();
+        assert_eq!(found.edges, 1);
+        assert!((found.largest_distance - f64::from(lifted)).abs() < 1e-12, "{found:?}");
+        let healed = crate::heal::heal_t_junctions(&mesh, 2.0 * lifted).unwrap().mesh;
+        assert_eq!((examine(&healed).t_junctions, examine(&healed).boundary_edges), (None, 4));
+    }
+    assert_eq!(examine(&builtin("grid:3,2")).t_junctions, None);
+}

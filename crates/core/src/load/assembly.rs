@@ -4,6 +4,7 @@ use super::concave::Polygons;
 use super::error::{Located, Place, Problem};
 use super::notes::Note;
 use super::parts::{NO_PART, Part, Parts};
+use super::placing::Placing;
 use super::polygon::{fan, sides};
 use crate::mesh::TriangleMesh;
 use glam::Vec3;
@@ -28,8 +29,8 @@ pub struct LabelledMesh {
 }
 
 /// A mesh under construction.
-#[derive(Default)]
 pub(super) struct Assembly {
+    pub(super) placing: Placing,
     pub(super) positions: Vec<Vec3>,
     pub(super) triangles: Vec<[u32; 3]>,
     /// Pairs of vertices along which the surface is sharp, in any order, if they are an edge of the mesh.
@@ -46,6 +47,22 @@ pub(super) struct Assembly {
 }
 
 impl Assembly {
+    /// A mesh whose positions are made so.
+    pub(super) fn new(placing: Placing) -> Self {
+        Self {
+            placing,
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            feature_edges: Vec::new(),
+            label_runs: Vec::new(),
+            part_runs: Vec::new(),
+            parts: Vec::new(),
+            polygons: Polygons::default(),
+            few_corners: None,
+            has_no_end: false,
+        }
+    }
+
     /// Appends a polygon; [`Assembly::finish`] cuts it into triangles. One of fewer than three corners is left out, with a
     /// note that names its `place`.
     pub(super) fn polygon(&mut self, corners: &[u32], place: impl FnOnce() -> Place) {
@@ -81,9 +98,10 @@ impl Assembly {
         let crossing = self.polygons.triangulate(&self.positions, &mut self.triangles);
         let few_corners = self.few_corners.map(|(count, first)| Note::FewCorners { count, first });
         let no_end = self.has_no_end.then_some(Note::NoEnd);
-        let notes = few_corners.into_iter().chain(crossing).chain(no_end).collect();
         let feature_edges = edges_among(self.feature_edges, &self.triangles);
-        let mesh = TriangleMesh::new(self.positions, self.triangles)?;
+        let mesh = TriangleMesh::new(self.positions, self.triangles)?.with_origin(self.placing.origin());
+        let rounded = self.placing.note(&mesh);
+        let notes = [few_corners, crossing, no_end, rounded].into_iter().flatten().collect();
         Ok(LabelledMesh { mesh, labels, parts, feature_edges, notes })
     }
 }

@@ -1,11 +1,11 @@
 //! glTF 2.0, as text or in a GLB container: the triangles of the default scene, in world space.
 //!
 //! The scene's nodes are visited depth first, parents before children, in the order of the document; each visit of a
-//! mesh appends its primitives one after another. A node's matrices are applied in 64-bit arithmetic and rounded once;
-//! a mirroring transform turns its triangles round, so that they still face outward. Points and lines are passed over.
-//! Edges that the extension `EXT_mesh_primitive_edge_visibility` declares hard are feature edges.
-//! Skins and morph targets are not applied: the rest positions count, and the node of a skinned mesh is not placed by
-//! its own transform, as the standard has it.
+//! mesh appends its primitives one after another, and so does each instance of `EXT_mesh_gpu_instancing`. A node's matrices are
+//! applied in 64-bit arithmetic and rounded once; a mirroring transform turns its triangles round, so that they still face
+//! outward. Points and lines are passed over. Edges that the extension `EXT_mesh_primitive_edge_visibility` declares hard are
+//! feature edges. Morph targets count with the weights of the node, or else of the mesh; skins are in the pose that the
+//! document's nodes have, without animation. A document that requires an [unknown extension](extensions) is refused.
 //!
 //! The `gltf` crate reads the container and the document's schema. Offsets and counts are followed by our own code,
 //! which checks each of them: see `docs/decisions/0002-own-readers.md`.
@@ -13,149 +13,95 @@
 mod accessor;
 mod buffers;
 mod dangling;
+mod deform;
 mod edges;
+mod extensions;
+mod nodes;
 
-use self::accessor::{indices, most_elements, positions};
+use self::accessor::{indices, most_elements};
 use self::buffers::Buffers;
 use self::dangling::dangling;
+use self::deform::{Deformed, deform};
 use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
+use self::nodes::{Placed, Placements, at_element, missing};
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
-use super::error::{Located, Place, Problem, quote};
-use super::parts::Part;
+use super::error::{Located, Problem, quote};
+use super::placing::Placing;
 use super::polygon::{fan, strip};
+use crate::mesh::MAX_VERTICES;
 use crate::progress::Progress;
 use ::gltf::json::accessor::Accessor;
 use ::gltf::json::mesh::{Mode, Primitive, Semantic};
-use ::gltf::json::scene::Node;
 use ::gltf::json::validation::Checked;
-use ::gltf::json::{Index, Mesh, Root};
-use glam::{DMat4, DQuat, DVec3, Vec3};
+use ::gltf::json::{Index, Root};
+use glam::Vec3;
 use std::path::Path;
-use std::sync::Arc;
 
-/// Extensions that store triangles in a way that is not read.
-const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
+/// Bytes of a mesh that a byte of input may unfold into, beyond [`ALWAYS`]: a corner of a strip is 2 bytes or more and becomes a
+/// triangle of 12.
+const UNFOLDING: u64 = 16;
 
-/// Vertices and face corners, taken together, that a byte of input may unfold into.
-///
-/// Nodes may place the same mesh, and primitives read the same accessor, any number of times, so that a small document
-/// can describe more than any memory holds. A forest of 1000 trees passes; what repeats more is better kept apart.
-const UNFOLDING: u64 = 1024;
+/// Bytes that any document may unfold into: nodes may place the same mesh, and primitives read the same accessor, any number of
+/// times, so that a small document can describe more than any memory holds. A forest of 1000 trees of 10,000 faces each passes; what
+/// repeats more is better kept apart.
+const ALWAYS: u64 = 256 << 20;
+
+/// The bytes of a mesh that this many bytes of input may unfold into.
+fn limit(input: u64) -> u64 {
+    input.saturating_mul(UNFOLDING).saturating_add(ALWAYS)
+}
 
 /// Reads a glTF or GLB file. External buffers are looked up in `folder`; without one they are refused. O(bytes +
 /// triangles).
-pub(super) fn read(bytes: &[u8], folder: Option<&Path>, progress: &dyn Progress) -> Result<LabelledMesh, Located> {
+pub(super) fn read(
+    bytes: &[u8],
+    folder: Option<&Path>,
+    placing: Placing,
+    progress: &dyn Progress,
+) -> Result<LabelledMesh, Located> {
     let (json, blob) = buffers::split(bytes)?;
     let root: Root = ::gltf::json::deserialize::from_slice(json).map_err(|error| {
         let found = error.to_string();
         Problem::Expected { expected: "a glTF 2.0 document", found }.at_line(error.line() as u64)
     })?;
-    if let Some(name) = root.extensions_required.iter().find(|name| COMPRESSIONS.contains(&name.as_str())) {
-        let what = format!("the extension {name}");
-        return Err(Problem::Unsupported { what, mend: "export without mesh compression" }.into());
-    }
+    extensions::check(&root.extensions_required)?;
     let edges = EdgeExtensions::of(json, &root)?;
-    let mut assembly = Assembly::default();
-    let placed = place_meshes(&root, &mut assembly.parts)?;
+    let (mut buffers, mut assembly) = (Buffers::new(blob, folder), Assembly::new(placing));
+    let most = limit(bytes.len() as u64) / size_of::<Placed>() as u64;
+    let placed = Placements::of(json)?.of_scene(&root, &mut buffers, &mut assembly.parts, most)?;
     progress.stage("assembling meshes", placed.len() as u64);
-    let buffers = Buffers::new(blob, folder);
     let mut scene = SceneReader { root: &root, edges: &edges, buffers, assembly, faces: 0 };
     scene.check_unfolding(&placed, bytes.len() as u64)?;
-    for Placed { mesh, world, part } in placed {
+    for placed in &placed {
         progress.check()?;
-        scene.assembly.begin_part(part);
-        scene.each_surface(mesh, |scene, surface| scene.surface(&surface, world))?;
+        scene.assembly.begin_part(placed.part);
+        scene.each_surface(placed, |scene, surface| scene.surface(&surface, placed))?;
         progress.advance(1);
     }
     scene.assembly.finish()
 }
 
-/// A mesh that the scene places.
-struct Placed {
-    mesh: Index<Mesh>,
-    world: DMat4,
-    /// The part that it is.
-    part: u32,
-}
-
-/// The meshes that the scene places, in the order of traversal. Each node that is visited becomes a part.
-fn place_meshes(root: &Root, parts: &mut Vec<Part>) -> Result<Vec<Placed>, Located> {
-    let scene = root.scene.map_or_else(|| root.scenes.first(), |index| root.scenes.get(index.value()));
-    let roots: Vec<usize> = match scene {
-        Some(scene) => scene.nodes.iter().map(Index::value).collect(),
-        None if root.scene.is_some() => return Err(missing("scene", "scenes", root.scenes.len())),
-        None if root.nodes.is_empty() => {
-            let names = root.meshes.iter().map(|mesh| Part { names: name(mesh.name.as_ref()), parent: None });
-            parts.extend(names);
-            let placed = |mesh| Placed { mesh: Index::new(mesh), world: DMat4::IDENTITY, part: mesh };
-            return Ok((0..root.meshes.len() as u32).map(placed).collect());
-        }
-        None => roots_of(root),
-    };
-    let mut placed = Vec::new();
-    let mut visited = vec![false; root.nodes.len()];
-    let mut pending: Vec<_> = roots.iter().rev().map(|&node| (node, DMat4::IDENTITY, None)).collect();
-    while let Some((index, parent, above)) = pending.pop() {
-        let element = || format!("nodes[{index}]");
-        let node = root.nodes.get(index).ok_or_else(|| missing(&element(), "nodes", root.nodes.len()))?;
-        if std::mem::replace(&mut visited[index], true) {
-            let problem =
-                Problem::Expected { expected: "a tree of nodes", found: "a node that is reached twice".into() };
-            return Err(at_element(element(), problem));
-        }
-        let world = parent * local_matrix(node);
-        let part = parts.len() as u32;
-        let of_mesh = || node.mesh.and_then(|mesh| root.meshes.get(mesh.value())?.name.as_ref());
-        parts.push(Part { names: name(node.name.as_ref().or_else(of_mesh)), parent: above });
-        if let Some(mesh) = node.mesh {
-            placed.push(Placed { mesh, world: if node.skin.is_some() { DMat4::IDENTITY } else { world }, part });
-        }
-        let children = node.children.as_deref().unwrap_or_default();
-        pending.extend(children.iter().rev().map(|child| (child.value(), world, Some(part))));
-    }
-    Ok(placed)
-}
-
-fn name(name: Option<&String>) -> Arc<[String]> {
-    name.filter(|name| !name.is_empty()).cloned().into_iter().collect()
-}
-
-/// The nodes that are nobody's children, for a document without scenes.
-fn roots_of(root: &Root) -> Vec<usize> {
-    let mut is_child = vec![false; root.nodes.len()];
-    for child in root.nodes.iter().flat_map(|node| node.children.as_deref().unwrap_or_default()) {
-        if let Some(flag) = is_child.get_mut(child.value()) {
-            *flag = true;
-        }
-    }
-    (0..root.nodes.len()).filter(|&node| !is_child[node]).collect()
-}
-
-fn local_matrix(node: &Node) -> DMat4 {
-    if let Some(matrix) = node.matrix {
-        return DMat4::from_cols_array(&matrix.map(f64::from));
-    }
-    let vector = |v: Option<[f32; 3]>, default| v.map_or(default, |v| DVec3::from_array(v.map(f64::from)));
-    let rotation = DQuat::from_array(node.rotation.unwrap_or_default().0.map(f64::from));
-    // A rotation is stored to 32 bits, so it is of unit length only up to its rounding.
-    let rotation = if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
-    let (scale, translation) = (vector(node.scale, DVec3::ONE), vector(node.translation, DVec3::ZERO));
-    DMat4::from_scale_rotation_translation(scale, rotation, translation)
-}
-
 /// A primitive that consists of triangles.
 struct Surface<'a> {
     mode: Mode,
+    primitive: &'a Primitive,
     positions: Index<Accessor>,
     indices: Option<Index<Accessor>>,
     /// One more than its material's index, 0 without a material.
     label: u32,
     edges: Option<&'a PrimitiveEdges>,
+    /// Of the morph targets.
+    weights: &'a [f32],
 }
 
 impl<'a> Surface<'a> {
     /// `None` for points, lines, and primitives whose positions are left to an extension.
-    fn of(root: &Root, primitive: &Primitive, edges: Option<&'a PrimitiveEdges>) -> Result<Option<Self>, Problem> {
+    fn of(
+        root: &Root,
+        primitive: &'a Primitive,
+        edges: Option<&'a PrimitiveEdges>,
+        weights: &'a [f32],
+    ) -> Result<Option<Self>, Problem> {
         let Checked::Valid(mode) = primitive.mode else {
             return Err(Problem::expected("a mode from 0 to 6", b"another number"));
         };
@@ -166,7 +112,8 @@ impl<'a> Surface<'a> {
             Some(material) if material.value() < root.materials.len() => material.value() as u32 + 1,
             Some(_) => return Err(dangling("materials", root.materials.len())),
         };
-        Ok(positions.map(|positions| Self { mode, positions, indices: primitive.indices, label, edges }))
+        let indices = primitive.indices;
+        Ok(positions.map(|positions| Self { mode, primitive, positions, indices, label, edges, weights }))
     }
 }
 
@@ -185,63 +132,87 @@ impl<'a> SceneReader<'a> {
     /// vertices then fits 32 bits.
     fn check_unfolding(&mut self, placed: &[Placed], input: u64) -> Result<(), Located> {
         let mut size_of = vec![None; self.root.meshes.len()];
-        let mut count = 0_u64;
-        for index in placed.iter().map(|placed| placed.mesh) {
-            let size = match size_of.get(index.value()).copied().flatten() {
+        let mut sum = Unfolded::default();
+        for placed in placed {
+            let size = match size_of.get(placed.mesh.value()).copied().flatten() {
                 Some(size) => size,
                 None => {
-                    let mut size = 0_u64;
-                    self.each_surface(index, |scene, surface| {
-                        size += most_elements(scene.root, &mut scene.buffers, surface.positions)?;
-                        if let Some(indices) = surface.indices {
-                            size += most_elements(scene.root, &mut scene.buffers, indices)?;
-                        }
-                        if let Some(edges) = surface.edges {
-                            size += edges.most_elements(scene.root, &mut scene.buffers)?;
-                        }
+                    let mut size = Unfolded::default();
+                    self.each_surface(placed, |scene, surface| {
+                        size.add(scene.unfolded(&surface)?);
                         Ok(())
                     })?;
-                    size_of[index.value()] = Some(size);
+                    if let Some(known) = size_of.get_mut(placed.mesh.value()) {
+                        *known = Some(size);
+                    }
                     size
                 }
             };
-            count = count.saturating_add(size);
+            sum.add(size);
         }
-        let limit = (input + self.buffers.external_bytes()).saturating_mul(UNFOLDING).min(u64::from(u32::MAX));
-        if count > limit {
-            return Err(Problem::TooLarge { what: "vertices and corners", count, limit }.into());
+        let limit = limit(input + self.buffers.external_bytes());
+        for (what, count, limit) in
+            [("bytes of mesh", sum.bytes, limit), ("vertices", sum.vertices, MAX_VERTICES as u64)]
+        {
+            if count > limit {
+                return Err(Problem::TooLarge { what, count, limit }.into());
+            }
         }
         Ok(())
+    }
+
+    /// The most that one primitive becomes, whatever its weights are.
+    fn unfolded(&mut self, surface: &Surface<'_>) -> Result<Unfolded, Problem> {
+        const POSITION: u64 = 12;
+        const TRIANGLE: u64 = 12;
+        let (root, buffers) = (self.root, &mut self.buffers);
+        let vertices = most_elements(root, buffers, surface.positions)?;
+        let corners = surface.indices.map_or(Ok(vertices), |indices| most_elements(root, buffers, indices))?;
+        let triangles = if surface.mode == Mode::Triangles { corners / 3 } else { corners };
+        let mut bytes = vertices.saturating_mul(POSITION).saturating_add(triangles.saturating_mul(TRIANGLE));
+        if let Some(edges) = surface.edges {
+            bytes =
+                bytes.saturating_add(edges.most_elements(root, buffers)?.saturating_mul(size_of::<[u32; 2]>() as u64));
+        }
+        // No memory of the mesh, but time.
+        let targets = surface.primitive.targets.as_deref().unwrap_or_default();
+        for target in targets.iter().filter_map(|target| target.positions) {
+            bytes = bytes.saturating_add(most_elements(root, buffers, target)?);
+        }
+        Ok(Unfolded { bytes, vertices })
     }
 
     /// Visits the primitives of a mesh that have triangles; a problem is put at the primitive.
     fn each_surface(
         &mut self,
-        index: Index<Mesh>,
+        placed: &Placed,
         mut visit: impl FnMut(&mut Self, Surface<'a>) -> Result<(), Problem>,
     ) -> Result<(), Located> {
-        let (root, edges) = (self.root, self.edges);
+        let (root, edges, index) = (self.root, self.edges, placed.mesh);
         let element = format!("meshes[{}]", index.value());
         let mesh = root.get(index).ok_or_else(|| missing(&element, "meshes", root.meshes.len()))?;
+        let of_node = placed.node.and_then(|node| root.nodes[node].weights.as_deref());
+        let weights = of_node.or(mesh.weights.as_deref()).unwrap_or_default();
         for (rank, primitive) in mesh.primitives.iter().enumerate() {
             let edges = edges.of_primitive(index.value(), rank);
-            let visited =
-                Surface::of(root, primitive, edges).and_then(|surface| surface.map_or(Ok(()), |s| visit(self, s)));
+            let surface = Surface::of(root, primitive, edges, weights);
+            let visited = surface.and_then(|surface| surface.map_or(Ok(()), |surface| visit(self, surface)));
             visited.map_err(|problem| at_element(format!("{element}.primitives[{rank}]"), problem))?;
         }
         Ok(())
     }
 
     /// Appends one primitive.
-    fn surface(&mut self, surface: &Surface<'_>, world: DMat4) -> Result<(), Problem> {
+    fn surface(&mut self, surface: &Surface<'_>, placed: &Placed) -> Result<(), Problem> {
         // Append the positions.
         let (root, first) = (self.root, self.assembly.positions.len());
-        let local = positions(root, &mut self.buffers, surface.positions)?;
-        let vertices = local.len() as u64;
-        for position in local {
-            let placed = place(world, position);
+        let Deformed { positions, is_mirrored } =
+            deform(root, &mut self.buffers, surface.primitive, surface.weights, &placed.transform)?;
+        let vertices = positions.len() as u64;
+        for position in positions {
+            let placed = Vec3::from([0, 1, 2].map(|axis| self.assembly.placing.place(axis, position[axis])));
             if !placed.is_finite() {
-                let value = quote(format!("{} {} {}", position[0], position[1], position[2]).as_bytes());
+                let value = quote(format!("{} {} {}", position.x, position.y, position.z).as_bytes());
                 return Err(Problem::NotFinite { vertex: self.assembly.positions.len() as u64, value });
             }
             self.assembly.positions.push(placed);
@@ -272,7 +243,7 @@ impl<'a> SceneReader<'a> {
                 self.assembly.triangles.extend_from_slice(triangles);
             }
         }
-        if world.determinant() < 0.0 {
+        if is_mirrored {
             self.assembly.triangles[from..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
         self.faces += (self.assembly.triangles.len() - from) as u64;
@@ -290,17 +261,17 @@ impl<'a> SceneReader<'a> {
     }
 }
 
-/// The position in world space, rounded once; bit for bit the same where nothing moves it.
-fn place(world: DMat4, position: [f32; 3]) -> Vec3 {
-    let local = Vec3::from_array(position);
-    if world == DMat4::IDENTITY { local } else { world.transform_point3(local.as_dvec3()).as_vec3() }
+/// What a part of a scene becomes.
+#[derive(Debug, Clone, Copy, Default)]
+struct Unfolded {
+    /// Of positions, triangles and hard edges.
+    bytes: u64,
+    vertices: u64,
 }
 
-fn at_element(element: String, problem: Problem) -> Located {
-    Located { place: Some(Place::Element(element)), problem }
-}
-
-/// An index that leads out of its array.
-fn missing(element: &str, array: &'static str, count: usize) -> Located {
-    at_element(element.to_owned(), dangling(array, count))
+impl Unfolded {
+    fn add(&mut self, other: Self) {
+        self.bytes = self.bytes.saturating_add(other.bytes);
+        self.vertices = self.vertices.saturating_add(other.vertices);
+    }
 }

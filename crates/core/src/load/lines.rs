@@ -1,6 +1,8 @@
 //! A cursor over the lines of a text file that knows their numbers, and over the words of a text.
 
 use super::error::{Located, Place, Problem, quote};
+use super::placing::Placing;
+use glam::Vec3;
 
 /// Lines of a file, numbered from 1; `\n`, `\r\n` and `\r` alone end a line. Nothing is copied.
 #[derive(Clone)]
@@ -141,10 +143,18 @@ impl<'a> Words<'a> {
         self.rest = self.rest[length..].trim_ascii_start();
     }
 
-    /// The next word as a coordinate of `vertex`, rounded once, correctly, to 32 bits.
-    pub(super) fn coordinate(&mut self, vertex: usize) -> Result<f32, Located> {
+    /// The next three words as the position of `vertex`, rounded once, correctly, to 32 bits.
+    #[inline]
+    pub(super) fn position(&mut self, vertex: usize, placing: &mut Placing) -> Result<Vec3, Located> {
+        let mut coordinate = |axis| self.coordinate(axis, vertex, placing);
+        Ok(Vec3::new(coordinate(0)?, coordinate(1)?, coordinate(2)?))
+    }
+
+    /// The next word as the coordinate of `vertex` along an axis.
+    #[inline]
+    pub(super) fn coordinate(&mut self, axis: usize, vertex: usize, placing: &mut Placing) -> Result<f32, Located> {
         let word = self.word();
-        coordinate(word, vertex).map_err(|problem| self.locate(problem))
+        coordinate(word, axis, vertex, placing).map_err(|problem| self.locate(problem))
     }
 
     /// The next word as a whole number; `expected` names it in the message.
@@ -172,8 +182,11 @@ impl<'a> Words<'a> {
 }
 
 /// The word as a finite coordinate of `vertex`.
-fn coordinate(word: &[u8], vertex: usize) -> Result<f32, Problem> {
-    let value: f32 = parse(word, "a coordinate")?;
+#[inline]
+fn coordinate(word: &[u8], axis: usize, vertex: usize, placing: &mut Placing) -> Result<f32, Problem> {
+    const EXPECTED: &str = "a coordinate";
+    let value =
+        if placing.is_wide() { placing.place(axis, parse(word, EXPECTED)?) } else { parse::<f32>(word, EXPECTED)? };
     if value.is_finite() { Ok(value) } else { Err(Problem::NotFinite { vertex: vertex as u64, value: quote(word) }) }
 }
 

@@ -6,13 +6,15 @@
 //! | PLY | rows of `vertex` | text and binary; `face`, `tristrips` |
 //! | OFF | vertex rows | text; `[ST][C][N]OFF` |
 //! | STL | equal positions joined, in order of appearance | text and binary |
-//! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms applied; hard edges |
+//! | glTF | primitives one after another, in the order of the scene | text and GLB; node transforms, instances, morph targets and skins applied; hard edges |
 //!
 //! Applications that have loaded their scene with `tobj` make it a mesh by `TriangleMesh::from_tobj`, cargo feature `tobj`.
 //!
 //! Unreferenced vertices are kept. Convex polygons are fanned from their first corner, other simple polygons are cut into
 //! triangles that cover them once, seen along their normal; so no corner is lost, and neighbours still share their edges.
-//! Faces of one or two corners are left out. Texture and normal seams never split a vertex. Coordinates are rounded once, correctly, to 32-bit floats, in the file's own units. [`load_labelled`]
+//! Faces of one or two corners are left out. Texture and normal seams never split a vertex. Coordinates are rounded once, correctly, to
+//! 32-bit floats, in the file's own units. A mesh farther from zero than 64 times its extent is read a second time in 64 bits, and its
+//! positions count from an [origin](crate::origin) close to it; what 32 bits do not hold even so is noted. [`load_labelled`]
 //! reports which faces share a material and group (OBJ's `usemtl` and `g`, glTF's materials), what parts are called (OBJ's `o` and `g`, glTF's nodes), and which edges are sharp
 //! (OBJ's `s` and `l`, glTF's `EXT_mesh_primitive_edge_visibility`); everything else that a vertex or face carries (normals, colours) is passed over. To join coincident vertices see [`crate::weld`].
 //!
@@ -20,8 +22,8 @@
 //! share lines. What is odd about a file that is read all the same, [`load_labelled`] reports as [`Note`]s.
 //!
 //! Bad files are refused with a [`LoadError`] that names the place and the remedy. A header's promise alone never takes
-//! memory: it is bounded by a small multiple of the bytes that are there, except for a glTF scene that places one mesh many
-//! times.
+//! memory: it is bounded by a small multiple of the bytes that are there. A glTF scene that places one mesh many times may unfold into
+//! 16 bytes of mesh per byte and 256 MiB more; beyond that it is refused.
 //!
 //! Cost: O(bytes), one pass (a second one where rows are broken; for a concave polygon of n corners O(n log n) in most
 //! cases, bounded by 1024 steps per corner), 150 MB/s of text or more on one core (350 MB/s of short OBJ rows).
@@ -48,6 +50,7 @@ mod obj;
 #[cfg(feature = "off")]
 mod off;
 mod parts;
+mod placing;
 #[cfg(feature = "ply")]
 mod ply;
 mod polygon;
@@ -66,6 +69,7 @@ pub use notes::Note;
 pub use parts::{Part, Parts};
 
 use self::error::Located;
+use self::placing::{MOST_ATTEMPTS, Placing};
 use self::steps::Steps;
 use crate::mesh::TriangleMesh;
 use crate::progress::{NoProgress, Progress};
@@ -134,7 +138,6 @@ pub fn read_labelled(
 fn read_beside(
     format: Format,
     bytes: &[u8],
-    #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
     folder: Option<&Path>,
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, Located> {
@@ -142,21 +145,42 @@ fn read_beside(
     if bytes.is_empty() {
         return Err(Problem::Empty.into());
     }
+    let mut placing = Placing::NARROW;
+    for _ in 1..MOST_ATTEMPTS {
+        let labelled = read_once(format, bytes, folder, placing, progress)?;
+        match placing.better(&labelled.mesh) {
+            // What was read is dropped before the file is read anew.
+            Some(better) => placing = better,
+            None => return Ok(labelled),
+        }
+    }
+    read_once(format, bytes, folder, placing, progress)
+}
+
+/// Reads a mesh with positions that are made as `placing` says.
+fn read_once(
+    format: Format,
+    bytes: &[u8],
+    #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
+    folder: Option<&Path>,
+    placing: Placing,
+    progress: &dyn Progress,
+) -> Result<LabelledMesh, Located> {
     let mut steps = Steps::begin(progress, "parsing", bytes.len());
     let read: Result<LabelledMesh, Located> = match format {
         #[cfg(feature = "obj")]
-        Format::Obj => obj::read(bytes, &mut steps),
+        Format::Obj => obj::read(bytes, placing, &mut steps),
         #[cfg(feature = "ply")]
-        Format::Ply => ply::read(bytes, &mut steps),
+        Format::Ply => ply::read(bytes, placing, &mut steps),
         #[cfg(feature = "off")]
-        Format::Off => off::read(bytes, &mut steps),
+        Format::Off => off::read(bytes, placing, &mut steps),
         #[cfg(feature = "stl")]
-        Format::Stl => stl::read(bytes, &mut steps),
+        Format::Stl => stl::read(bytes, placing, &mut steps),
         #[cfg(feature = "gltf")]
         Format::Gltf => {
             // Parsed in one go, and assembled in a stage of its own.
             steps.report(bytes.len())?;
-            return gltf::read(bytes, folder, progress);
+            return gltf::read(bytes, folder, placing, progress);
         }
         #[cfg(not(all(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")))]
         format => Err(Problem::FeatureOff { format }.into()),

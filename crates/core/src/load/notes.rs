@@ -5,7 +5,7 @@ use crate::id::FaceId;
 use std::fmt;
 
 /// Something about a file that is read all the same. Displays as one line without the file's name.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
     /// Faces of fewer than three corners were left out.
@@ -23,6 +23,16 @@ pub enum Note {
         count: u64,
         /// The first triangle of the first one.
         first: FaceId,
+    },
+    /// 32-bit positions hold too little of a mesh this large and fine: rounding may have changed the directions of many short sides of
+    /// faces.
+    Rounded {
+        /// The most that a position was moved by along an axis, in units of the file.
+        distance: f64,
+        /// How many sides of faces are short: no longer than 64 times that.
+        sides: usize,
+        /// How many there are.
+        of: usize,
     },
     /// A text STL ends behind a whole facet, but without `endsolid`.
     NoEnd,
@@ -47,6 +57,11 @@ impl fmt::Display for Note {
                 f,
                 "{count} polygons cross themselves and are fanned from their first corners (the first: face {first} and \
                  those after it)"
+            ),
+            Self::Rounded { distance, sides, of } => write!(
+                f,
+                "positions are rounded by up to {distance:.1e} (32-bit numbers), which is much for {sides} of {of} sides of faces; \
+                 split the mesh into parts of smaller extent"
             ),
             Self::NoEnd => f.write_str("the file ends without endsolid; if it was cut short, faces are missing"),
         }

@@ -11,15 +11,15 @@ use super::error::{Located, Problem};
 use super::feature_edges::FeatureEdges;
 use super::lines::{Lines, Words};
 use super::parts::PartRows;
+use super::placing::Placing;
 use super::steps::Steps;
-use glam::Vec3;
 use std::collections::HashMap;
 
 /// Reads an OBJ file. O(bytes).
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+pub(super) fn read(bytes: &[u8], placing: Placing, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut lines = Lines::new(bytes)?;
     let mut joined = Vec::new();
-    let mut reader = Reader::default();
+    let mut reader = Reader::new(placing);
     while let Some(line) = lines.next_line() {
         let first_number = lines.number();
         if line.trim_ascii_end().ends_with(b"\\") && !ends_in_comment(line) {
@@ -50,7 +50,6 @@ fn join<'a>(first: &'a [u8], lines: &mut Lines<'a>, joined: &mut Vec<u8>) {
     joined.extend_from_slice(line);
 }
 
-#[derive(Default)]
 struct Reader {
     assembly: Assembly,
     /// Corners of the face being read; kept to spare an allocation per face.
@@ -120,6 +119,18 @@ struct Ahead {
 }
 
 impl Reader {
+    fn new(placing: Placing) -> Self {
+        Self {
+            assembly: Assembly::new(placing),
+            corners: Vec::new(),
+            faces: 0,
+            ahead: None,
+            sorts: Sorts::default(),
+            feature_edges: FeatureEdges::default(),
+            parts: PartRows::default(),
+        }
+    }
+
     fn row(&mut self, mut words: Words<'_>) -> Result<(), Located> {
         match words.word() {
             b"v" => self.vertex(words),
@@ -151,8 +162,7 @@ impl Reader {
 
     fn vertex(&mut self, mut words: Words<'_>) -> Result<(), Located> {
         let vertex = self.assembly.positions.len();
-        let mut coordinate = || words.coordinate(vertex);
-        let position = Vec3::new(coordinate()?, coordinate()?, coordinate()?);
+        let position = words.position(vertex, &mut self.assembly.placing)?;
         self.assembly.positions.push(position);
         Ok(())
     }

@@ -8,9 +8,9 @@
 use super::assembly::{Assembly, LabelledMesh, check_promise, vertex_id};
 use super::error::{Located, Problem};
 use super::lines::{Lines, Words};
+use super::placing::Placing;
 use super::rows::{Rows, read_rows};
 use super::steps::Steps;
-use glam::Vec3;
 
 /// Least bytes of a vertex row, `0 0 0` and the line end.
 const LEAST_VERTEX: u64 = 6;
@@ -20,11 +20,16 @@ const LEAST_FACE: u64 = 2;
 const LEAST_TRIANGLE: usize = 8;
 
 /// Reads an OFF file. O(bytes).
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
-    read_rows(&Lines::new(bytes)?, true, |rows, promised| read_from(rows, promised, steps))
+pub(super) fn read(bytes: &[u8], placing: Placing, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+    read_rows(&Lines::new(bytes)?, true, |rows, promised| read_from(rows, promised, placing, steps))
 }
 
-fn read_from(mut rows: Rows<'_>, promised: &mut u64, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+fn read_from(
+    mut rows: Rows<'_>,
+    promised: &mut u64,
+    placing: Placing,
+    steps: &mut Steps<'_>,
+) -> Result<LabelledMesh, Located> {
     keyword(&mut rows)?;
     let vertices = count(&mut rows, "the number of vertices")?;
     let faces = count(&mut rows, "the number of faces")?;
@@ -35,13 +40,11 @@ fn read_from(mut rows: Rows<'_>, promised: &mut u64, steps: &mut Steps<'_>) -> R
         check_promise("vertices", vertices, LEAST_VERTEX, rows.remaining()).map_err(|problem| rows.locate(problem))?;
     check_promise("faces", faces, LEAST_FACE, rows.remaining()).map_err(|problem| rows.locate(problem))?;
 
-    let mut assembly = Assembly::default();
+    let mut assembly = Assembly::new(placing);
     assembly.positions.reserve_exact(vertices_here);
     for vertex in 0..vertices_here {
         next_row(&mut rows, "vertices", vertices, vertex as u64)?;
-        let words = rows.words();
-        let mut coordinate = || words.coordinate(vertex);
-        assembly.positions.push(Vec3::new(coordinate()?, coordinate()?, coordinate()?));
+        assembly.positions.push(rows.words().position(vertex, &mut assembly.placing)?);
         steps.reach(rows.offset())?;
     }
 

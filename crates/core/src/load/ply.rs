@@ -13,27 +13,35 @@ use self::values::{BinaryValues, TextValues, Values};
 use super::assembly::{Assembly, LabelledMesh, check_promise, vertex_id};
 use super::error::Located;
 use super::lines::Lines;
+use super::placing::Placing;
 use super::polygon::strip;
 use super::rows::read_rows;
 use super::steps::Steps;
 use glam::Vec3;
 
 /// Reads a PLY file. O(bytes).
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+pub(super) fn read(bytes: &[u8], placing: Placing, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let mut lines = Lines::new(bytes)?;
     let header = Header::read(&mut lines)?;
     match header.encoding {
         Encoding::Text => read_rows(&lines, false, |rows, promised| {
             *promised = header.elements.iter().fold(0, |sum, element| element.count.saturating_add(sum));
-            read_elements(&header, TextValues::new(rows), steps)
+            read_elements(&header, TextValues::new(rows), placing, steps)
         }),
-        Encoding::LittleEndian => read_elements(&header, BinaryValues::<false>::new(bytes, lines.offset()), steps),
-        Encoding::BigEndian => read_elements(&header, BinaryValues::<true>::new(bytes, lines.offset()), steps),
+        Encoding::LittleEndian => {
+            read_elements(&header, BinaryValues::<false>::new(bytes, lines.offset()), placing, steps)
+        }
+        Encoding::BigEndian => read_elements(&header, BinaryValues::<true>::new(bytes, lines.offset()), placing, steps),
     }
 }
 
-fn read_elements<V: Values>(header: &Header, mut values: V, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
-    let mut body = Body { assembly: Assembly::default(), corners: Vec::new(), vertices: header.vertices };
+fn read_elements<V: Values>(
+    header: &Header,
+    mut values: V,
+    placing: Placing,
+    steps: &mut Steps<'_>,
+) -> Result<LabelledMesh, Located> {
+    let mut body = Body { assembly: Assembly::new(placing), corners: Vec::new(), vertices: header.vertices };
     for element in &header.elements {
         let least = V::least_row(element);
         if least == 0 {
@@ -75,10 +83,12 @@ struct Body {
 
 impl Body {
     fn vertex<V: Values>(&mut self, element: &Element, values: &mut V) -> Result<(), Located> {
-        let mut position = Vec3::ZERO;
+        let (vertex, mut position) = (self.assembly.positions.len(), Vec3::ZERO);
         for property in &element.properties {
             match property.axis {
-                Some(axis) => position[axis] = values.coordinate(property.item, self.assembly.positions.len())?,
+                Some(axis) => {
+                    position[axis] = values.coordinate(property.item, axis, vertex, &mut self.assembly.placing)?;
+                }
                 None => skip(property, values)?,
             }
         }

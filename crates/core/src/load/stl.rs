@@ -7,6 +7,7 @@
 use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem, quote};
 use super::lines::{Words, text_start};
+use super::placing::Placing;
 use super::steps::Steps;
 use crate::weld::ExactPositions;
 use glam::Vec3;
@@ -21,8 +22,8 @@ const CORNERS: usize = 12;
 const PROBE: usize = 1024;
 
 /// Reads an STL file. O(bytes) expected, by hashing of positions.
-pub(super) fn read(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
-    if is_text(bytes) { read_text(bytes, steps) } else { read_binary(bytes, steps) }
+pub(super) fn read(bytes: &[u8], placing: Placing, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+    if is_text(bytes) { read_text(bytes, placing, steps) } else { read_binary(bytes, placing, steps) }
 }
 
 /// Some binary files begin with `solid`, as text files must. A length that fits the count decides first; a cut binary
@@ -42,7 +43,7 @@ fn binary_length(count: u32) -> u64 {
     HEADER as u64 + TRIANGLE as u64 * u64::from(count)
 }
 
-fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+fn read_binary(bytes: &[u8], placing: Placing, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let found = bytes.len() as u64;
     let Some(count) = triangle_count(bytes) else {
         return Err(Problem::Truncated { within: "the STL header", needed: HEADER as u64, found }.at_byte(0));
@@ -51,15 +52,17 @@ fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Loca
         let (needed, found) = (binary_length(count) - HEADER as u64, found - HEADER as u64);
         return Err(Problem::Truncated { within: "the triangles its header promises", needed, found }.at_byte(HEADER));
     }
-    let mut joiner = Joiner::default();
+    let mut joiner = Joiner::new(placing);
     joiner.assembly.triangles.reserve_exact(count as usize);
     for (face, triangle) in bytes[HEADER..].chunks_exact(TRIANGLE).take(count as usize).enumerate() {
         let offset = HEADER + face * TRIANGLE;
         let (numbers, _) = triangle[CORNERS..].as_chunks::<4>();
         let mut ids = [0; 3];
         for (slot, id) in ids.iter_mut().enumerate() {
-            let [x, y, z] = [0, 1, 2].map(|axis| f32::from_le_bytes(numbers[3 * slot + axis]));
-            *id = joiner.corner(Vec3::new(x, y, z)).map_err(|problem| problem.at_byte(offset + CORNERS + 12 * slot))?;
+            let coordinates = [0, 1, 2].map(|axis| f32::from_le_bytes(numbers[3 * slot + axis]));
+            let place = |axis: usize| joiner.assembly.placing.place(axis, coordinates[axis].into());
+            let position = Vec3::from([0, 1, 2].map(place));
+            *id = joiner.corner(position).map_err(|problem| problem.at_byte(offset + CORNERS + 12 * slot))?;
         }
         joiner.assembly.triangles.push(ids);
         steps.reach(offset)?;
@@ -68,10 +71,10 @@ fn read_binary(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Loca
 }
 
 /// Text, word by word, however the words are spread over lines; several solids one after another are one mesh.
-fn read_text(bytes: &[u8], steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
+fn read_text(bytes: &[u8], placing: Placing, steps: &mut Steps<'_>) -> Result<LabelledMesh, Located> {
     let start = text_start(bytes)?;
     let mut words = Words::new(&bytes[start..], 1);
-    let mut joiner = Joiner::default();
+    let mut joiner = Joiner::new(placing);
     let mut corners: Vec<u32> = Vec::new();
     // Whether the facet that has begun and not ended has had a loop.
     let mut facet_has_loop: Option<bool> = None;
@@ -146,8 +149,7 @@ fn read_loop(words: &mut Words<'_>, joiner: &mut Joiner, corners: &mut Vec<u32>)
         match Keyword::of(word, words) {
             Some(Keyword::Vertex) => {
                 let vertex = joiner.assembly.positions.len();
-                let mut coordinate = || words.coordinate(vertex);
-                let position = Vec3::new(coordinate()?, coordinate()?, coordinate()?);
+                let position = words.position(vertex, &mut joiner.assembly.placing)?;
                 corners.push(joiner.corner(position).map_err(|problem| words.locate(problem))?);
             }
             Some(Keyword::EndLoop) => return Ok(()),
@@ -202,13 +204,16 @@ fn begins(word: &[u8], keyword: &[u8]) -> bool {
 }
 
 /// Gives each position one id, in the order of first appearance.
-#[derive(Default)]
 struct Joiner {
     assembly: Assembly,
     known: ExactPositions,
 }
 
 impl Joiner {
+    fn new(placing: Placing) -> Self {
+        Self { assembly: Assembly::new(placing), known: ExactPositions::default() }
+    }
+
     fn corner(&mut self, position: Vec3) -> Result<u32, Problem> {
         let vertex = self.assembly.positions.len();
         if let Some(value) = position.to_array().into_iter().find(|value| !value.is_finite()) {

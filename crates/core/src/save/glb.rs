@@ -7,6 +7,7 @@ use crate::edge_visibility::{NAME, pack};
 use crate::id::PerEdge;
 use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
+use glam::DVec3;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -16,7 +17,8 @@ const TRIANGLES: u32 = 4;
 /// Writes a mesh as glTF 2.0 in a GLB container, with the visibility of its edges by the extension
 /// `EXT_mesh_primitive_edge_visibility`.
 ///
-/// The file holds one node, mesh and primitive with the vertices and triangles of `mesh`, to the last bit. Viewers draw an edge
+/// The file holds one node, mesh and primitive with the vertices and triangles of `mesh`, to the last bit; the node is moved to
+/// the mesh's origin, if it has one. Viewers draw an edge
 ///
 /// - always if `is_hard` says so, which [`feature_edges`](crate::feature_edges::feature_edges) yields;
 /// - otherwise from where one of its two faces is front and the other back, by the normals of the faces, which are stored within
@@ -54,6 +56,9 @@ pub fn write_glb(
         document["scene"] = 0.into();
         document["scenes"] = json!([{ "nodes": [0] }]);
         document["nodes"] = json!([{ "mesh": 0 }]);
+        if mesh.origin() != DVec3::ZERO {
+            document["nodes"][0]["translation"] = json!(mesh.origin());
+        }
         document["meshes"] = json!([{ "primitives": [primitive] }]);
         arrays.describe(None, &mut document);
     }

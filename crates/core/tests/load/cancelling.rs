@@ -3,12 +3,12 @@ use silhouette_testing::Cancelling;
 
 /// A million bytes or more of each format that is read row by row.
 fn large_files() -> [(Format, Vec<u8>); 4] {
-    let vertices = "0.5 0.5 0.5\n".repeat(100_000);
+    let vertices = "0.5 0.5 0.5\n0.5 1.5 0.5\n".repeat(50_000);
     let ply = "ply\nformat ascii 1.0\nelement vertex 100000\nproperty float x\nproperty float y\nproperty float z\n\
                element face 1\nproperty list uchar int vertex_index\nend_header\n";
     let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     [
-        (Format::Obj, "v 0.5 0.5 0.5\n".repeat(100_000) + "f 1 2 3\n"),
+        (Format::Obj, "v 0.5 0.5 0.5\nv 0.5 1.5 0.5\n".repeat(50_000) + "f 1 2 3\n"),
         (Format::Off, format!("OFF\n100000 1 0\n{vertices}3 0 1 2\n")),
         (Format::Ply, format!("{ply}{vertices}3 0 1 2\n")),
         (Format::Stl, format!("solid\n{}endsolid\n", facet.repeat(15_000))),
@@ -25,6 +25,19 @@ fn every_byte_is_reported() {
         assert_eq!(progress.steps(), total, "{format}");
         assert_eq!(progress.stages(), [("parsing".to_owned(), total)]);
     }
+}
+
+/// A mesh far from zero is read a second time, in 64 bits.
+#[test]
+fn the_second_reading_can_be_cancelled_too() {
+    let far = "v 500000.25 5400000.125 0\nv 500001 5400001 1\n".repeat(50_000) + "f 1 2 3\n";
+    let total = far.len() as u64;
+    let progress = Cancelling::at_step(u64::MAX);
+    read(Format::Obj, "far", far.as_bytes(), &progress).unwrap();
+    assert_eq!(progress.stages(), [("parsing".to_owned(), total), ("parsing".to_owned(), total)]);
+    let progress = Cancelling::at_step(total + 400_000);
+    assert!(read(Format::Obj, "far", far.as_bytes(), &progress).unwrap_err().is_cancelled());
+    assert!(progress.steps() < total + 1_000_000);
 }
 
 #[test]

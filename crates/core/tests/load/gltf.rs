@@ -208,8 +208,9 @@ fn the_default_scene_is_read_depth_first() {
 
 #[test]
 fn a_skinned_mesh_is_not_placed_by_its_node() {
-    let mesh = accepted(Gltf, placed(&[r#"{"mesh":0,"skin":0,"translation":[7,7,7]}"#], "").glb());
-    assert_eq!(positions(&mesh), SQUARE[..3]);
+    let nodes = [r#"{"mesh":0,"skin":0,"translation":[7,7,7]}"#, r#"{"translation":[0,0,5]}"#];
+    let mesh = accepted(Gltf, placed(&nodes, r#","skins":[{"joints":[1]}]"#).glb());
+    assert_eq!(positions(&mesh), SQUARE[..3], "a vertex without joints stays where it is");
 }
 
 #[test]

@@ -75,7 +75,9 @@ fn promises_are_checked_against_the_buffer() {
     );
     let nothing =
         changed(r#""bufferView":0,"componentType":5126,"count":4"#, r#""componentType":5126,"count":4294967295"#);
-    assert_refused(Gltf, nothing, PRIMITIVE, &["4294967295 elements without a bufferView"]);
+    assert_refused(Gltf, nothing, "", &["bytes of mesh"]);
+    let zeros = changed(r#""bufferView":0,"componentType":5126,"count":4"#, r#""componentType":5126,"count":2000000"#);
+    assert_refused(Gltf, zeros, PRIMITIVE, &["2000000 elements without a bufferView"]);
     let stride = changed(r#""byteLength":48"#, r#""byteLength":48,"byteStride":0"#);
     assert_refused(Gltf, stride, PRIMITIVE, &["byteStride of 0"]);
 }
@@ -139,11 +141,50 @@ fn buffers_elsewhere_are_not_opened() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("square.gltf");
     std::fs::create_dir(folder.path().join("folder")).unwrap();
-    for uri in ["missing.bin", "../../etc/hostname", "/etc/hostname", "%2Fetc%2Fhostname", "http://x/y.bin", "folder"] {
+    for uri in ["missing.bin", "/etc/hostname", "%2Fetc%2Fhostname", "http://x/y.bin", "folder"] {
         std::fs::write(&path, square(5125).json(&format!(r#","uri":"{uri}""#))).unwrap();
         let line = load(&path).unwrap_err().to_string();
         assert!(line.contains("put the buffer beside the document") && line.contains(uri), "{line}");
     }
+}
+
+/// To open a pipe is to wait for its writer, and a device may have no end.
+#[cfg(unix)]
+#[test]
+fn buffers_that_are_no_files_are_not_opened() {
+    let folder = tempfile::tempdir().unwrap();
+    let inner = folder.path().join("inner");
+    std::fs::create_dir(&inner).unwrap();
+    assert!(std::process::Command::new("mkfifo").arg(folder.path().join("pipe.bin")).status().unwrap().success());
+    std::os::unix::fs::symlink("/dev/zero", inner.join("endless.bin")).unwrap();
+    std::os::unix::fs::symlink(folder.path().join("pipe.bin"), inner.join("pipe.bin")).unwrap();
+    for uri in ["pipe.bin", "../pipe.bin", "endless.bin"] {
+        let path = inner.join("square.gltf");
+        std::fs::write(&path, square(5125).json(&format!(r#","uri":"{uri}""#))).unwrap();
+        let line = load(&path).unwrap_err().to_string();
+        assert!(line.contains("as a plain file") && line.contains(uri), "{line}");
+    }
+}
+
+/// Zeros that no byte stands for, placed by each of thousands of nodes.
+#[test]
+fn elements_without_bytes_unfold_within_bounds() {
+    let mut document = square(5125);
+    let zeros = document.accessor(r#""componentType":5126,"count":72,"type":"VEC3""#);
+    document.mesh(zeros, "");
+    document.nodes = vec![r#"{"mesh":1}"#.to_owned(); 400_000];
+    let error = refused(Gltf, document.glb());
+    assert!(matches!(error.problem, Problem::TooLarge { what: "bytes of mesh", .. }), "{error}");
+}
+
+/// Places of instances that no byte stands for.
+#[test]
+fn instances_are_bounded_by_their_bytes() {
+    let mut document = square(5125);
+    let places = document.accessor(r#""componentType":5126,"count":4000000000,"type":"VEC3""#);
+    let instancing = format!(r#""EXT_mesh_gpu_instancing":{{"attributes":{{"TRANSLATION":{places}}}}}"#);
+    document.nodes = vec![format!(r#"{{"mesh":0,"extensions":{{{instancing}}}}}"#)];
+    assert_refused(Gltf, document.glb(), ", nodes[0]", &["4000000000 placed meshes"]);
 }
 
 #[test]

@@ -2,9 +2,11 @@
 
 mod cancelling;
 mod expectations;
+mod far;
 mod feature_edges;
 mod gltf;
 mod gltf_edges;
+mod gltf_placed;
 mod gltf_refused;
 mod independent_reader;
 mod mutated;

@@ -7,7 +7,7 @@ use crate::chains::Chain;
 use crate::lines::Lines;
 use base64::Engine;
 use serde_json::{Value, json};
-use silhouette_core::glam::Vec3;
+use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::save::{GltfArrays, write_container};
 use std::io::{self, Write};
 
@@ -41,7 +41,7 @@ impl Geometry {
 }
 
 /// Writes the lines that the options draw: a node, a mesh and an unlit material a layer, with pairs of points (mode
-/// `LINES`) in the space of the mesh, rounded to 32 bits. Curves are written as their chords; the outline, which has no
+/// `LINES`) in the space of the mesh, rounded to 32 bits; nodes are moved to the mesh's origin. Curves are written as their chords; the outline, which has no
 /// depth, is left out. What the viewport does not show is written, too. O(points).
 ///
 /// # Errors
@@ -52,7 +52,7 @@ pub fn write_gltf(
     container: GltfContainer,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let mut root = Root::default();
+    let mut root = Root { origin: lines.origin, ..Root::default() };
     for name in LayerName::all() {
         let Some(pen) = name.pen(options) else { continue };
         let mut geometry = Geometry::default();
@@ -78,6 +78,8 @@ pub fn write_gltf(
 /// The parts of the document.
 #[derive(Default)]
 struct Root {
+    /// From where positions count.
+    origin: DVec3,
     arrays: GltfArrays,
     nodes: Vec<Value>,
     meshes: Vec<Value>,
@@ -99,7 +101,11 @@ impl Root {
             "name": name,
             "primitives": [{ "attributes": { "POSITION": positions }, "indices": indices, "mode": LINES, "material": layer }],
         }));
-        self.nodes.push(json!({ "name": name, "mesh": layer, "extras": extras }));
+        let mut node = json!({ "name": name, "mesh": layer, "extras": extras });
+        if self.origin != DVec3::ZERO {
+            node["translation"] = json!(self.origin);
+        }
+        self.nodes.push(node);
     }
 
     /// The document. The format allows no empty array, so that without lines there is no scene.

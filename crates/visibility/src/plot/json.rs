@@ -5,8 +5,9 @@ use crate::chains::{Chain, SegmentSource};
 use crate::lines::Lines;
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
-use silhouette_core::glam::{DVec2, DVec3};
-use silhouette_core::view::Camera;
+use silhouette_core::glam::{DVec2, DVec3, Vec3};
+use silhouette_core::origin::in_file;
+use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{EdgeId, VertexId};
 use std::io::{self, Write};
 
@@ -15,11 +16,33 @@ pub type EndPoints<'a> = dyn Fn(u32, EdgeId) -> [VertexId; 2] + 'a;
 
 #[derive(Serialize)]
 struct Document<'a> {
-    camera: &'a Camera,
+    camera: PlacedCamera,
     size: [u32; 2],
     page: &'a Placement,
     chains: AllChains<'a>,
     outline: &'a [Vec<DVec2>],
+}
+
+/// A camera in the coordinates of the file.
+#[derive(Serialize)]
+struct PlacedCamera {
+    eye: DVec3,
+    target: DVec3,
+    up: Vec3,
+    projection: Projection,
+    size: [u32; 2],
+}
+
+impl PlacedCamera {
+    fn new(camera: &Camera, origin: DVec3) -> Self {
+        Self {
+            eye: in_file(origin, camera.eye()),
+            target: in_file(origin, camera.target()),
+            up: camera.up(),
+            projection: camera.projection(),
+            size: camera.size(),
+        }
+    }
 }
 
 /// The chains, made one by one while they are written.
@@ -40,7 +63,7 @@ struct ChainDocument<'a> {
     curves: Vec<u32>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     intersections: Vec<u32>,
-    points: &'a [DVec3],
+    points: Vec<DVec3>,
     pixels: &'a [DVec2],
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     handles: &'a [[DVec2; 2]],
@@ -50,13 +73,13 @@ impl Serialize for AllChains<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut chains = serializer.serialize_seq(Some(self.lines.chains.len()))?;
         for chain in self.lines.chains.iter() {
-            chains.serialize_element(&document(&chain, self.end_points))?;
+            chains.serialize_element(&document(&chain, self.lines.origin, self.end_points))?;
         }
         chains.end()
     }
 }
 
-fn document<'a>(chain: &Chain<'a>, end_points: &EndPoints<'_>) -> ChainDocument<'a> {
+fn document<'a>(chain: &Chain<'a>, origin: DVec3, end_points: &EndPoints<'_>) -> ChainDocument<'a> {
     let (mut edges, mut curves, mut intersections) = (Vec::new(), Vec::new(), Vec::new());
     for source in chain.sources {
         match *source {
@@ -74,7 +97,7 @@ fn document<'a>(chain: &Chain<'a>, end_points: &EndPoints<'_>) -> ChainDocument<
         edges,
         curves,
         intersections,
-        points: chain.points,
+        points: chain.points.iter().map(|&point| origin + point).collect(),
         pixels: chain.pixels,
         handles: chain.handles,
     }
@@ -86,7 +109,7 @@ fn document<'a>(chain: &Chain<'a>, end_points: &EndPoints<'_>) -> ChainDocument<
 /// "visible": bool, "invisibility": n, "object": i, "closed": bool, "edges": [[a,b]...], "points": [[x,y,z]...],
 /// "pixels": [[x,y]...]}...], "outline": [[[x,y]...]...]}`
 ///
-/// Pixels have their origin at the top left and their centres at .5; `pixel * scale + offset` is the place on the page,
+/// Camera and points are in the coordinates of the meshes' files. Pixels have their origin at the top left and their centres at .5; `pixel * scale + offset` is the place on the page,
 /// in its unit. A chain has one edge a segment, one segment fewer than points, or as many where it is closed. Chains
 /// along smooth curves and intersections have no edges but `curves` or `intersections` instead, indices of what each
 /// segment lies on; curves have `handles`, too, both Bezier handles of each segment in pixels. All chains that were
@@ -101,7 +124,7 @@ pub fn write_json(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let document = Document {
-        camera: &lines.camera,
+        camera: PlacedCamera::new(&lines.camera, lines.origin),
         size: lines.camera.size(),
         page: placement,
         chains: AllChains { lines, end_points },

@@ -22,7 +22,13 @@ fn camera(projection: Projection) -> Camera {
 }
 
 pub fn lines(camera: Camera) -> Lines {
-    Lines { camera, chains: Chains::default(), outline: Outline::default(), stats: LineStats::default() }
+    Lines {
+        camera,
+        chains: Chains::default(),
+        outline: Outline::default(),
+        origin: DVec3::ZERO,
+        stats: LineStats::default(),
+    }
 }
 
 /// A chain to be drawn, with points in pixels; its points in space lie in the plane z = invisibility.

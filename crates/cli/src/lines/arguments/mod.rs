@@ -10,15 +10,17 @@ mod which;
 pub use heal::HealDistance;
 pub use parts::PartArguments;
 pub use views::ViewsArguments;
+pub use which::SectionArgument;
 
 use crate::camera::CameraArguments;
 use crate::failure::Failure;
+use crate::mesh_argument::MeshArgument;
 use crate::winding::OrientArgument;
 use clap::Args;
 use page::PageArguments;
 use pens::PenArguments;
+use silhouette_visibility::LineOptions;
 use silhouette_visibility::plot::{Hidden, Length, PlotOptions, Unit};
-use silhouette_visibility::{LineOptions, SectionPlane};
 use std::path::PathBuf;
 use which::{HiddenArgument, OutlineArgument, WhichLines};
 
@@ -27,7 +29,7 @@ use which::{HiddenArgument, OutlineArgument, WhichLines};
 pub struct LinesArguments {
     /// Mesh files or builtin:NAME; several are drawn together and hide each other
     #[arg(required = true, value_name = "MESH")]
-    pub meshes: Vec<String>,
+    pub meshes: Vec<MeshArgument>,
     /// Output file: .svg, .pdf, .dxf, .hpgl or .plt, .json, .gltf or .glb [default: SVG on standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -77,7 +79,7 @@ impl LinesArguments {
     }
 
     /// By which planes the meshes are cut.
-    pub fn sections(&self) -> &[SectionPlane] {
+    pub fn sections(&self) -> &[SectionArgument] {
         &self.which.section
     }
 
@@ -162,7 +164,7 @@ mod tests {
     #[test]
     fn options_may_stand_before_the_mesh() {
         let arguments = parse(&["--hidden", "--outline"]);
-        assert_eq!(arguments.meshes, ["builtin:cube"]);
+        assert_eq!(arguments.meshes, [MeshArgument::from("builtin:cube")]);
         assert_eq!(arguments.plot_options().unwrap().hidden, Hidden::Dashed(Dash::HIDDEN));
         assert!(arguments.line_options().outline && arguments.line_options().silhouette);
         let only = parse(&["--outline=only", "--creases", "30", "--all-edges"]).line_options();

@@ -15,12 +15,28 @@ pub(super) fn positions(
     buffers: &mut Buffers<'_>,
     index: Index<Accessor>,
 ) -> Result<Vec<[f32; 3]>, Problem> {
+    floats(root, buffers, index, "positions of type VEC3")
+}
+
+/// The elements of a `VEC3`, `VEC4` or `MAT4` accessor, by their number of components; normalised integers as fractions. `expected`
+/// names them in messages.
+pub(super) fn floats<const N: usize>(
+    root: &Root,
+    buffers: &mut Buffers<'_>,
+    index: Index<Accessor>,
+    expected: &'static str,
+) -> Result<Vec<[f32; N]>, Problem> {
     let accessor = find(root, index)?;
-    let component = component_of(accessor, Type::Vec3, "positions of type VEC3")?;
+    let shape = match N {
+        3 => Type::Vec3,
+        4 => Type::Vec4,
+        _ => Type::Mat4,
+    };
+    let component = component_of(accessor, shape, expected)?;
     let size = component.size();
     let scale = if accessor.normalized { component } else { ComponentType::F32 };
-    let decode = |bytes: &[u8]| [0, 1, 2].map(|axis| normalize(number(&bytes[axis * size..], component), scale));
-    elements(root, buffers, accessor, 3 * size, [0.0; 3], decode)
+    let decode = |bytes: &[u8]| std::array::from_fn(|axis| normalize(number(&bytes[axis * size..], component), scale));
+    elements(root, buffers, accessor, N * size, [0.0; N], decode)
 }
 
 /// Checks that a `VEC3` accessor of 32-bit floats or signed integers has the bytes of its elements; yields their number.
@@ -58,14 +74,20 @@ pub(super) fn indices(root: &Root, buffers: &mut Buffers<'_>, index: Index<Acces
     elements(root, buffers, accessor, component.size(), 0, |bytes| unsigned(bytes, component))
 }
 
-/// How many elements the accessor has, or, where it promises more than its bytes can hold, how many they can.
+/// How many elements the accessor promises.
+pub(super) fn count(root: &Root, index: Index<Accessor>) -> Result<u64, Problem> {
+    Ok(find(root, index)?.count.0)
+}
+
+/// How many elements the accessor has, or, where it promises more than its bytes can hold, how many they can. Those without bytes count
+/// as they are promised, sparse ones on top.
 pub(super) fn most_elements(root: &Root, buffers: &mut Buffers<'_>, index: Index<Accessor>) -> Result<u64, Problem> {
     let accessor = find(root, index)?;
-    let held = match accessor.buffer_view {
-        Some(view) => buffers.get(root, find_view(root, view)?.buffer)?.len(),
-        None => buffers.bytes(),
+    let dense = match accessor.buffer_view {
+        Some(view) => accessor.count.0.min(buffers.get(root, find_view(root, view)?.buffer)?.len() as u64),
+        None => accessor.count.0,
     };
-    Ok(accessor.count.0.min(held as u64))
+    Ok(dense.saturating_add(accessor.sparse.as_ref().map_or(0, |sparse| sparse.count.0)))
 }
 
 fn find(root: &Root, index: Index<Accessor>) -> Result<&Accessor, Problem> {

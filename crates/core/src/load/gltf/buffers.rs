@@ -127,9 +127,9 @@ impl<'a> Buffers<'a> {
                 mend: "load the document from its file, or embed its buffers",
             });
         };
-        // A document may name its neighbours, not any file of the machine that opens it.
-        let neighbour = |component| matches!(component, Component::Normal(_) | Component::CurDir);
-        if uri.contains("://") || !Path::new(&name).components().all(neighbour) {
+        // A document may name files relative to its own, not any file of the machine that opens it by its path.
+        let is_relative = |component| !matches!(component, Component::RootDir | Component::Prefix(_));
+        if uri.contains("://") || !Path::new(&name).components().all(is_relative) {
             return Err(Problem::Unsupported { what: what(), mend: "put the buffer beside the document" });
         }
         let path: PathBuf = folder.join(&name);
@@ -137,15 +137,15 @@ impl<'a> Buffers<'a> {
             what: format!("{} ({error})", what()),
             mend: "put the buffer beside the document",
         };
-        let file = File::open(&path).map_err(unreadable)?;
-        if !file.metadata().map_err(unreadable)?.is_file() {
+        // Asked before opening: to open a pipe is to wait for its writer.
+        if !std::fs::metadata(&path).map_err(unreadable)?.is_file() {
             return Err(Problem::Unsupported {
                 what: what(),
                 mend: "put the buffer beside the document, as a plain file",
             });
         }
         let mut bytes = Vec::new();
-        file.take(length).read_to_end(&mut bytes).map_err(unreadable)?;
+        File::open(&path).map_err(unreadable)?.take(length).read_to_end(&mut bytes).map_err(unreadable)?;
         Ok(bytes)
     }
 }

@@ -83,7 +83,8 @@ impl PrimitiveEdges {
     pub(super) fn most_elements(&self, root: &Root, buffers: &mut Buffers<'_>) -> Result<u64, Problem> {
         let lines = self.line_strings.iter().map(|line_strings| line_strings.indices);
         let accessors = self.visibility.into_iter().chain(self.silhouette_normals).chain(lines);
-        accessors.map(|accessor| most_elements(root, buffers, accessor)).sum()
+        let mut counts = accessors.map(|accessor| most_elements(root, buffers, accessor));
+        counts.try_fold(0_u64, |sum, count| Ok(sum.saturating_add(count?)))
     }
 
     /// Appends the edges that are hard, in the order of the file, some of them several times; where line strings leave the

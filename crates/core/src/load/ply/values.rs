@@ -2,6 +2,7 @@
 
 use super::header::{Element, Number};
 use crate::load::error::{Located, Place, Problem, quote};
+use crate::load::placing::Placing;
 use crate::load::rows::Rows;
 
 /// A body read number by number, in the order of the header's properties.
@@ -13,8 +14,9 @@ pub(super) trait Values {
     fn least_row(element: &Element) -> u64;
     /// Goes to the next row of `what`, of which `done` out of `promised` have been read.
     fn begin_row(&mut self, what: &str, promised: u64, done: u64) -> Result<(), Located>;
-    /// The next number as a coordinate of `vertex`.
-    fn coordinate(&mut self, number: Number, vertex: usize) -> Result<f32, Located>;
+    /// The next number as the coordinate of `vertex` along an axis.
+    fn coordinate(&mut self, number: Number, axis: usize, vertex: usize, placing: &mut Placing)
+    -> Result<f32, Located>;
     /// The next number as a whole number.
     fn integer(&mut self, number: Number) -> Result<i64, Located>;
     /// The next number as the length of a list of `item`s, which the remaining bytes can hold.
@@ -65,8 +67,14 @@ impl Values for TextValues<'_> {
         Err(self.locate(Problem::Promise { what: what.to_owned(), promised, possible: done }))
     }
 
-    fn coordinate(&mut self, _number: Number, vertex: usize) -> Result<f32, Located> {
-        self.rows.words().coordinate(vertex)
+    fn coordinate(
+        &mut self,
+        _number: Number,
+        axis: usize,
+        vertex: usize,
+        placing: &mut Placing,
+    ) -> Result<f32, Located> {
+        self.rows.words().coordinate(axis, vertex, placing)
     }
 
     fn integer(&mut self, _number: Number) -> Result<i64, Located> {
@@ -145,16 +153,25 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
         Ok(())
     }
 
-    fn coordinate(&mut self, number: Number, vertex: usize) -> Result<f32, Located> {
+    fn coordinate(
+        &mut self,
+        number: Number,
+        axis: usize,
+        vertex: usize,
+        placing: &mut Placing,
+    ) -> Result<f32, Located> {
         let start = self.offset;
         let value = match number {
             Number::F32 => f64::from(f32::from_le_bytes(self.take()?)),
             Number::F64 => f64::from_le_bytes(self.take()?),
-            // Rounded once, not by way of 64-bit floats.
-            Number::U64 => return Ok(u64::from_le_bytes(self.take()?) as f32),
-            _ => return Ok(self.integer(number)? as f32),
+            Number::U64 => return Ok(placing.place_integer(axis, u64::from_le_bytes(self.take()?).into())),
+            _ => return Ok(placing.place_integer(axis, self.integer(number)?.into())),
         };
-        finite(value, vertex).map_err(|problem| problem.at_byte(start))
+        // The conversion rounds to nearest; magnitudes beyond 32 bits become infinite and are refused here.
+        let placed = placing.place(axis, value);
+        let is_finite = placed.is_finite() && (value as f32).is_finite();
+        let not_finite = || Problem::NotFinite { vertex: vertex as u64, value: quote(value.to_string().as_bytes()) };
+        if is_finite { Ok(placed) } else { Err(not_finite().at_byte(start)) }
     }
 
     fn integer(&mut self, number: Number) -> Result<i64, Located> {
@@ -214,16 +231,5 @@ impl<const BIG_ENDIAN: bool> Values for BinaryValues<'_, BIG_ENDIAN> {
 
     fn finish(self) -> Result<(), Located> {
         Ok(())
-    }
-}
-
-/// A number that was read in binary, checked like one read as text.
-fn finite(value: f64, vertex: usize) -> Result<f32, Problem> {
-    // The conversion rounds to nearest; magnitudes beyond f32 become infinite and are refused here.
-    let rounded = value as f32;
-    if rounded.is_finite() {
-        Ok(rounded)
-    } else {
-        Err(Problem::NotFinite { vertex: vertex as u64, value: quote(value.to_string().as_bytes()) })
     }
 }
