@@ -1,6 +1,7 @@
 //! Lines become strokes on a page, and files that other programs read.
 
 mod files;
+mod scans;
 mod scene;
 mod steps;
 mod strokes;
