@@ -74,7 +74,7 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let load = started.elapsed();
 
     let shown = views::Shown { names: &names, meshes: &meshes, parts: &parts, scene: &scene, masks, drawn };
-    let (prepare, lines) = views.find(&shown, arguments, &progress)?;
+    let (prepare, lines) = views.find(&shown, arguments, matches!(format, Format::Page(_)), &progress)?;
 
     let mut bytes = Vec::new();
     let mut drawing = None;

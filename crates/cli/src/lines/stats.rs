@@ -65,12 +65,17 @@ fn text(report: &Report<'_>) -> String {
         rows.push((
             "drawn",
             format!(
-                "{} paths of {} points (of {}), {:.1}{unit}; {} repeats, {} short paths of {:.2}{unit} left out",
+                "{} paths of {} points (of {}), {:.1}{unit}; {} gaps of {:.1}{unit} bridged; {} repeats, {} paths of {:.1}{unit} in \
+                 the ink of longer ones and {} short paths of {:.2}{unit} left out",
                 stats.paths,
                 stats.points,
                 stats.points_placed,
                 stats.drawn,
+                stats.bridged.gaps,
+                stats.bridged.length,
                 stats.repeats,
+                stats.covered.paths,
+                stats.covered.length,
                 stats.dropped.paths,
                 stats.dropped.length
             ),

@@ -11,7 +11,7 @@ use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::ViewPreset;
 use silhouette_visibility::plot::{self, Drawing, PlotOptions, SheetView};
-use silhouette_visibility::{LineFinder, LineScene, Lines, Outline};
+use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines, Outline};
 use std::time::{Duration, Instant};
 
 /// The views that are drawn.
@@ -50,11 +50,12 @@ impl Views {
         &self.cameras
     }
 
-    /// The lines of each view, and the time that preparing took.
+    /// The lines of each view, and the time that preparing took. What `plots` needs is found besides what is wanted.
     pub fn find(
         &self,
         shown: &Shown<'_>,
         arguments: &LinesArguments,
+        plots: bool,
         progress: &TerminalProgress,
     ) -> Result<(Duration, Vec<Lines>), Failure> {
         let started = Instant::now();
@@ -89,7 +90,7 @@ impl Views {
                 if all.is_empty() {
                     prepare = started.elapsed();
                 }
-                let found = ready.find(camera, &wanted, progress);
+                let found = find(&mut ready, camera, &wanted, plots && arguments.bridges_gaps(), progress);
                 finder = Some(ready);
                 found.map_err(|error| of_finding(shown.names, error))?
             };
@@ -115,4 +116,22 @@ impl Views {
         let views: Vec<SheetView<'_>> = views.collect();
         plot::plot_views(&views, arguments.views.angle(), options, progress).map_err(of_plotting)
     }
+}
+
+/// The lines of a view, with what hides just behind one layer where gaps are to be bridged, unless that is too much.
+fn find(
+    finder: &mut LineFinder,
+    camera: &Camera,
+    wanted: &LineOptions,
+    bridges_gaps: bool,
+    progress: &TerminalProgress,
+) -> Result<Lines, LineError> {
+    if bridges_gaps && wanted.max_invisibility == 0 {
+        let deeper = LineOptions { max_invisibility: 1, ..wanted.clone() };
+        match finder.find(camera, &deeper, progress) {
+            Err(LineError::TooCrowded) => {}
+            found => return found,
+        }
+    }
+    finder.find(camera, wanted, progress)
 }

@@ -1,4 +1,4 @@
-//! Step 6, dash: paths are cut into strokes and gaps.
+//! Step 9, dash: paths are cut into strokes and gaps.
 
 use super::paths::{Path, Paths, Segment};
 

@@ -1,4 +1,4 @@
-//! Step 5, drop short: paths that would be no more than a dot are left out.
+//! Step 7, drop short: paths that would be no more than a dot are left out.
 
 use super::paths::Paths;
 
@@ -9,6 +9,14 @@ pub struct Dropped {
     pub paths: u64,
     /// Their length in page units.
     pub length: f64,
+}
+
+impl Dropped {
+    /// Adds what was left out elsewhere.
+    pub(super) fn add(&mut self, other: Self) {
+        self.paths += other.paths;
+        self.length += other.length;
+    }
 }
 
 /// Drops paths shorter than `min_length` (page units), and at 0 those without length. O(points).

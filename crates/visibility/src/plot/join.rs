@@ -1,4 +1,4 @@
-//! Step 3, join: paths of a layer that touch end to end become one.
+//! Step 4, join: paths of a layer that touch end to end become one.
 
 use super::decimal::printed;
 use super::paths::{Path, Paths};

@@ -1,4 +1,4 @@
-//! Step 4, merge: points that lie on the line between others are dropped, and parts of one cubic become one again.
+//! Step 5, merge: points that lie on the line between others are dropped, and parts of one cubic become one again.
 
 use super::paths::{Path, Paths, Segment};
 use silhouette_core::glam::DVec2;

@@ -2,18 +2,23 @@
 //!
 //! 1. `place`(mod@place): pixels become page units, cut off at the viewport and the margins
 //! 2. `dedupe`(mod@dedupe): what lies on another line is drawn once; visible before hidden, silhouettes first
-//! 3. `join`(mod@join): paths of a layer that touch end to end become one
-//! 4. `merge`(mod@merge): points that lie on the line between others are dropped
-//! 5. `drop_short`(mod@drop_short): dots are left out
-//! 6. `dash`(mod@dash): hidden lines are cut into strokes and gaps
-//! 7. `order`(mod@order): the lifted pen travels little
+//! 3. `bridge`(mod@bridge): a contour that is hidden for less than its pen's width goes on
+//! 4. `join`(mod@join): paths of a layer that touch end to end become one
+//! 5. `merge`(mod@merge): points that lie on the line between others are dropped
+//! 6. `cover`(mod@cover): what lies in the ink of longer lines is left out
+//! 7. `drop_short`(mod@drop_short): dots are left out
+//! 8. `fit`(mod@fit): curves take the place of segments that turn little, on demand
+//! 9. `dash`(mod@dash): hidden lines are cut into strokes and gaps
+//! 10. `order`(mod@order): the lifted pen travels little
 //!
 //! Several views on one page are plotted each by itself, at one scale: `views`(mod@views).
 //!
 //! What comes out is a [`Drawing`], written by [`Drawing::write_svg`], [`Drawing::write_pdf`], [`Drawing::write_dxf`] or
 //! [`Drawing::write_hpgl`]. [`write_json`] and [`write_gltf`] write the lines themselves, before any of these steps.
 
+mod bridge;
 mod clip;
+mod cover;
 mod dash;
 mod decimal;
 mod dedupe;
@@ -21,6 +26,7 @@ mod drawn;
 mod drop_short;
 mod dxf;
 mod fill;
+mod fit;
 mod flatten;
 mod gltf;
 mod hpgl;
@@ -39,6 +45,7 @@ mod place;
 mod svg;
 mod views;
 
+pub use bridge::Bridged;
 pub use drop_short::Dropped;
 pub use fill::Fill;
 pub use gltf::{GltfContainer, write_gltf};
@@ -56,7 +63,7 @@ pub use views::{ProjectionAngle, SheetView, plot_views};
 use crate::lines::Lines;
 use rayon::prelude::*;
 use silhouette_core::progress::Progress;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::time::{Duration, Instant};
 
 /// Strokes on a page.
@@ -91,6 +98,10 @@ pub struct PlotStats {
     pub cut_off: f64,
     /// Segments removed, in whole or in part, because they lie on others.
     pub repeats: u64,
+    /// Gaps across which a contour goes on.
+    pub bridged: Bridged,
+    /// Paths in the ink of longer ones that were left out.
+    pub covered: Dropped,
     /// Short paths that were left out.
     pub dropped: Dropped,
     /// Way of the lifted pen within layers, before and after ordering.
@@ -110,8 +121,10 @@ impl PlotStats {
         self.drawn += other.drawn;
         self.cut_off += other.cut_off;
         self.repeats += other.repeats;
-        self.dropped.paths += other.dropped.paths;
-        self.dropped.length += other.dropped.length;
+        self.bridged.gaps += other.bridged.gaps;
+        self.bridged.length += other.bridged.length;
+        self.covered.add(other.covered);
+        self.dropped.add(other.dropped);
         self.travel.before += other.travel.before;
         self.travel.after += other.travel.after;
         self.prepare += other.prepare;
@@ -152,11 +165,12 @@ fn plot_placed(
     if options.dedupe {
         stats.repeats = dedupe_layers(&mut layers, options.merge_tolerance.to(options.unit));
     }
+    bridge_layers(&mut layers, lines, options, &placement, &mut stats.bridged);
     let prepared: Vec<_> = layers.par_iter().map(|layer| prepare(layer, options)).collect();
-    for (layer, (paths, dropped)) in layers.iter_mut().zip(prepared) {
+    for (layer, Prepared { paths, covered, dropped }) in layers.iter_mut().zip(prepared) {
         layer.paths = paths;
-        stats.dropped.paths += dropped.paths;
-        stats.dropped.length += dropped.length;
+        stats.covered.add(covered);
+        stats.dropped.add(dropped);
     }
     layers.retain(|layer| !layer.paths.is_empty());
     stats.prepare = start.elapsed();
@@ -229,14 +243,53 @@ fn dedupe_layers(layers: &mut [Layer], tolerance: f64) -> u64 {
     dedupe::dedupe(&mut paths, tolerance)
 }
 
-/// Joins, merges, drops and dashes the paths of a layer.
-fn prepare(layer: &Layer, options: &PlotOptions) -> (Paths, Dropped) {
-    let unit = options.unit;
-    let joined = if layer.name == LayerName::Outline { layer.paths.clone() } else { join::join(&layer.paths) };
-    let merged = merge::merge(&joined, options.merge_tolerance.to(unit));
-    let (kept, dropped) = drop_short::drop_short(&merged, options.min_length.to(unit));
-    match layer.pen.dash {
-        Some(dash) => (dash::dash(&kept, dash.on.to(unit), dash.off.to(unit)), dropped),
-        None => (kept, dropped),
+/// Adds the gaps across which contours go on to the layers of their ends, if those are still there, as paths of their own, which
+/// `join` then joins to both. A gap may lie along the line that hides it, so that repeats are removed before.
+fn bridge_layers(
+    layers: &mut [Layer],
+    lines: &Lines,
+    options: &PlotOptions,
+    placement: &Placement,
+    bridged: &mut Bridged,
+) {
+    let open = layers.iter().map(|layer| layer.paths.iter().filter(|path| !path.closed));
+    let ends: Vec<HashSet<[i64; 2]>> =
+        open.map(|paths| paths.flat_map(|path| [path.start(), path.end()]).map(decimal::printed).collect()).collect();
+    let most = |kind| options.bridge.unwrap_or(options.pens.of(kind).width).to(options.unit) / placement.scale;
+    for (name, object, gap) in bridge::gaps(lines, most) {
+        let of_object = |layer: &Layer| options.layers == LayersBy::Kind || layer.order.0 == object;
+        let Some(index) = layers.iter().position(|layer| layer.name == name && of_object(layer)) else { continue };
+        let points = gap.map(|end| placement.page(end));
+        if points.iter().all(|&end| ends[index].contains(&decimal::printed(end))) {
+            layers[index].paths.push(Path { closed: false, points: &points, handles: &[] });
+            bridged.gaps += 1;
+            bridged.length += points[0].distance(points[1]);
+        }
     }
+}
+
+/// The paths of a layer, ready to be ordered, and what was left out.
+struct Prepared {
+    paths: Paths,
+    covered: Dropped,
+    dropped: Dropped,
+}
+
+/// Joins, merges, drops, fits and dashes the paths of a layer.
+fn prepare(layer: &Layer, options: &PlotOptions) -> Prepared {
+    let unit = options.unit;
+    let is_outline = layer.name == LayerName::Outline;
+    let joined = if is_outline { layer.paths.clone() } else { join::join(&layer.paths) };
+    let tolerance = options.merge_tolerance.to(unit) * if options.curves { 0.5 } else { 1.0 };
+    let merged = merge::merge(&joined, tolerance);
+    let drops_covered = options.dedupe && !is_outline && !layer.name.is_hidden();
+    let (uncovered, covered) =
+        if drops_covered { cover::drop_covered(&merged, layer.width(unit)) } else { (merged, Dropped::default()) };
+    let (kept, dropped) = drop_short::drop_short(&uncovered, options.min_length.to(unit));
+    let fitted = if options.curves { fit::fit(&kept, tolerance) } else { kept };
+    let paths = match layer.pen.dash {
+        Some(dash) => dash::dash(&fitted, dash.on.to(unit), dash.off.to(unit)),
+        None => fitted,
+    };
+    Prepared { paths, covered, dropped }
 }

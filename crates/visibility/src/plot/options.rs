@@ -65,7 +65,14 @@ pub struct PlotOptions {
     pub merge_tolerance: Length,
     /// Paths shorter than this are dropped, before dashes are cut; 0 keeps all. Default: 0.1 mm, less than a pen's width.
     pub min_length: Length,
-    /// Whether what lies on another line is dropped: visible before hidden, silhouettes before all others. Default: yes.
+    /// How wide a gap may be across which a visible contour goes on: one that a fold hides for a moment, while the same contour
+    /// continues underneath. Known where lines of at least invisibility 1 were found. `None` is the width of its pen, whose round
+    /// ends close such a gap; 0 leaves all. Default: `None`.
+    pub bridge: Option<Length>,
+    /// Whether cubic curves take the place of straight segments that turn little, within the merge tolerance. Default: no.
+    pub curves: bool,
+    /// Whether what lies on another line is dropped: visible before hidden, silhouettes before all others; and of one layer the
+    /// paths that lie in the ink of longer ones, within half the pen's width of their middles. Default: yes.
     pub dedupe: bool,
     /// Whether the outline is drawn with its pen where it was found. Default: yes.
     pub outline: bool,
@@ -88,6 +95,8 @@ impl Default for PlotOptions {
             join: Join::Round,
             merge_tolerance: Length::mm(0.01),
             min_length: Length::mm(0.1),
+            bridge: None,
+            curves: false,
             dedupe: true,
             outline: true,
             fill: None,
@@ -131,7 +140,10 @@ impl PlotOptions {
             }
         }
         let is_length = |length: Length| length.to(Unit::Mm) >= 0.0 && length.to(Unit::Mm).is_finite();
-        for (what, length) in [("merge tolerance", self.merge_tolerance), ("shortest path", self.min_length)] {
+        let bridge = self.bridge.unwrap_or(Length::mm(0.0));
+        let lengths =
+            [("merge tolerance", self.merge_tolerance), ("shortest path", self.min_length), ("widest gap", bridge)];
+        for (what, length) in lengths {
             if !is_length(length) {
                 return Err(PlotError::Negative { what, length });
             }

@@ -2,6 +2,7 @@
 
 mod files;
 mod formats;
+mod scans;
 mod scene;
 mod steps;
 mod strokes;

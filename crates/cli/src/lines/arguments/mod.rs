@@ -83,6 +83,13 @@ impl LinesArguments {
         &self.which.section
     }
 
+    /// Whether contours go on across gaps, for which hidden lines have to be found. Edges that are all drawn have no gaps.
+    pub fn bridges_gaps(&self) -> bool {
+        let is_off =
+            self.page.bridge.as_deref().is_some_and(|text| text.trim().trim_end_matches(char::is_alphabetic) == "0");
+        !(is_off || self.quick || self.smooth || self.which.all_edges)
+    }
+
     /// Which lines are wanted.
     pub fn line_options(&self) -> LineOptions {
         let which = &self.which;
@@ -125,6 +132,12 @@ impl LinesArguments {
             join: self.pens.join(),
             merge_tolerance: length("--tolerance", page.tolerance.as_deref(), unit, defaults.merge_tolerance)?,
             min_length: length("--min-length", page.min_length.as_deref(), unit, defaults.min_length)?,
+            bridge: page
+                .bridge
+                .as_deref()
+                .map(|text| length("--bridge", Some(text), unit, Length::mm(0.0)))
+                .transpose()?,
+            curves: page.curves,
             dedupe: !page.no_dedupe,
             outline: self.which.outline.is_some() || !self.pens.wants_fill(),
             fill: self.pens.fill()?,

@@ -37,10 +37,17 @@ pub struct PageArguments {
     /// How far points may lie off the line for which they are dropped [default: 0.01mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
+    /// Visible contours that a fold hides for no longer than this go on without lifting the pen, if the same contour continues
+    /// underneath; 0 leaves all gaps [default: the pen's width, which its round ends close anyway]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub bridge: Option<String>,
+    /// Draws curves in place of straight segments that turn little, within --tolerance; corners stay
+    #[arg(long)]
+    pub curves: bool,
     /// Leaves paths in the order of the lines instead of one in which the lifted pen travels little
     #[arg(long)]
     pub no_sort: bool,
-    /// Draws lines that lie on others again
+    /// Draws lines that lie on others again, or in the ink of longer ones
     #[arg(long)]
     pub no_dedupe: bool,
 }

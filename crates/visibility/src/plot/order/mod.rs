@@ -1,4 +1,4 @@
-//! Step 7, order: paths are put in an order, and each in a direction, that leave little way to the lifted pen.
+//! Step 10, order: paths are put in an order, and each in a direction, that leave little way to the lifted pen.
 
 mod end_tree;
 mod greedy;
