@@ -29,10 +29,10 @@ pub struct Observation {
 }
 
 /// How many places before and after one have a part in its distance to the drawn line.
-const NEIGHBOURS: usize = 3;
+const NEIGHBOURS: usize = 5;
 
-/// What a method does at every place of a frame. The distance to the drawn line is the median over a place and the three before
-/// and after on the same line, of which four must have one: a raster moves single places, a drawing moves stretches. O(places).
+/// What a method does at every place of a frame. The distance to the drawn line is the median over a place and the five before
+/// and after on the same line, of which six must have one: a raster moves single places, a drawing moves stretches. O(places).
 pub fn observe(frame: &TrueFrame, drawn: &DrawnFrame) -> Vec<Observation> {
     let places = &frame.places;
     let offset = |place: &TruePlace| if place.is_clear { drawn.offset(place) } else { None };
@@ -104,7 +104,7 @@ pub const COHERENCE: [CoherenceSpec; 5] = [
         title: "movement, p99",
         unit: "rpx",
         worst: "20",
-        summary: "Change of the signed distance from true to drawn line between two frames, which 99 % of the line's length does not exceed; changes up to 1 rpx count as 0.",
+        summary: "Change of the signed distance from true to drawn line between two frames, which 99 % of the line's length does not exceed; changes up to 0.6 rpx count as 0.",
         value: |metrics| Some(metrics.movement_p99_rpx),
     },
     CoherenceSpec {

@@ -50,37 +50,49 @@ pub fn sentence(errors: &LineErrors) -> String {
     let missed = parts(
         whole,
         e.missed_px(),
+        &inside(e),
         &[
             (e.missed_open_boundary_px, "along boundary edges"),
             (e.missed_inward_winding_px, "where faces are wound inwards"),
             (e.missed_small_faces_px, "where faces are below a pixel"),
-            (e.missed_unexplained_px, "without a known cause"),
+            (e.missed_unexplained_px, "elsewhere"),
         ],
     );
-    let inner = e.missed_inner_px.map(|inner| inner / whole).filter(|&share| share >= WORTH_SAYING);
-    let inner = inner.map_or_else(String::new, |share| format!("; {} of it inside of the outline", shown(share)));
     let spurious = parts(
         whole,
         e.spurious_px(),
+        "",
         &[
             (e.spurious_open_boundary_px, "at open boundaries"),
             (e.spurious_inward_winding_px, "where faces are wound inwards"),
             (e.spurious_small_faces_px, "where faces are below a pixel"),
-            (e.spurious_unexplained_px, "without a known cause"),
+            (e.spurious_unexplained_px, "elsewhere"),
         ],
     );
-    let missed = missed.map_or_else(|| "Misses nothing.".to_owned(), |text| format!("Misses {text}{inner}."));
+    let missed = missed.map_or_else(|| "Misses nothing.".to_owned(), |text| format!("Misses {text}."));
     let spurious = spurious.map_or_else(String::new, |text| format!(" Spurious ink amounts to {text}."));
     missed + &spurious
 }
 
-/// `54.0 % of the true length (54.0 % along boundary edges)`; nothing where it is too little to be worth a word.
-fn parts(whole: f64, length: f64, causes: &[(f64, &str)]) -> Option<String> {
+/// How much of what is missed lies inside of the outline, where that is known and worth a word.
+fn inside(errors: &LineErrors) -> String {
+    let missed = errors.missed_px();
+    match errors.missed_inner_px {
+        Some(inner) if inner >= 0.995 * missed => ", all inside of the outline".to_owned(),
+        Some(inner) if inner >= WORTH_SAYING * errors.true_px() => {
+            format!(", {} inside of the outline", shown(inner / errors.true_px()))
+        }
+        _ => String::new(),
+    }
+}
+
+/// `54.0 % of the true length, all inside of the outline (54.0 % along boundary edges)`; nothing where it is too little to be worth a word.
+fn parts(whole: f64, length: f64, inside: &str, causes: &[(f64, &str)]) -> Option<String> {
     let is_worth_saying = |length: f64| length / whole >= WORTH_SAYING;
     let named = causes.iter().filter(|(length, _)| is_worth_saying(*length));
     let named: Vec<String> = named.map(|(length, cause)| format!("{} {cause}", shown(length / whole))).collect();
     let causes = if named.is_empty() { String::new() } else { format!(" ({})", named.join(", ")) };
-    is_worth_saying(length).then(|| format!("{} of the true length{causes}", shown(length / whole)))
+    is_worth_saying(length).then(|| format!("{} of the true length{inside}{causes}", shown(length / whole)))
 }
 
 fn shown(share: f64) -> String {
@@ -118,10 +130,11 @@ mod tests {
         };
         assert_eq!(
             sentence(&more),
-            "Misses 51.0 % of the true length (50.0 % along boundary edges, 1.0 % where faces are below a pixel); \
-             40.0 % of it inside of the outline. Spurious ink amounts to 2.0 % of the true length (2.0 % without a known \
-             cause)."
+            "Misses 51.0 % of the true length, 40.0 % inside of the outline (50.0 % along boundary edges, 1.0 % where faces \
+             are below a pixel). Spurious ink amounts to 2.0 % of the true length (2.0 % elsewhere)."
         );
+        let inner = LineErrors { missed_inner_px: Some(500.0), ..errors() };
+        assert!(sentence(&inner).starts_with("Misses 50.0 % of the true length, all inside of the outline (50.0 %"));
         let nothing = LineErrors { true_crease_px: 9.0, ..LineErrors::default() };
         assert_eq!(
             (sentence(&nothing), sentence(&LineErrors::default())),
