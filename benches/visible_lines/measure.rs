@@ -158,7 +158,8 @@ impl Prepared {
             Metric::All => u32::MAX,
             Metric::Outline => {
                 let outline = self.finder.outline(camera, &NoProgress)?;
-                return Ok(Lines { camera: *camera, chains: Chains::default(), outline, stats: LineStats::default() });
+                let (origin, chains, stats) = (DVec3::ZERO, Chains::default(), LineStats::default());
+                return Ok(Lines { camera: *camera, origin, chains, outline, stats });
             }
         };
         self.finder.find(camera, &LineOptions { max_invisibility, ..LineOptions::default() }, &NoProgress)
