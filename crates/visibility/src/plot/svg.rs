@@ -16,7 +16,7 @@ impl Drawing {
     /// layer whose label begins with its number, by which vpype and the AxiDraw software know layers, too. Coordinates
     /// have three decimals, so that equal drawings are equal bytes. The outline is one path with `fill-rule="evenodd"`. A fill
     /// is a layer beneath all others, whose label begins with `%`, by which the AxiDraw software knows what is not to be
-    /// plotted.
+    /// plotted, and holds a number of its own, so that vpype, which draws its border, keeps it apart.
     ///
     /// # Errors
     /// Those of `out`.
@@ -24,7 +24,7 @@ impl Drawing {
         let mut text = Vec::with_capacity(64 * 1024);
         self.push_head(title, &mut text);
         if let Some(fill) = &self.fill {
-            push_fill(fill, &mut text);
+            push_fill(self.layers.len() + 1, fill, &mut text);
         }
         for (number, layer) in (1..).zip(&self.layers) {
             self.push_layer_tag(number, layer, &mut text);
@@ -81,9 +81,10 @@ impl Drawing {
     }
 }
 
-/// The layer of what is filled.
-fn push_fill(fill: &Fill, text: &mut Vec<u8>) {
-    text.extend(b"<g inkscape:groupmode=\"layer\" id=\"fill\" inkscape:label=\"% fill\"");
+/// The layer of what is filled, with a number above those of all others.
+fn push_fill(number: usize, fill: &Fill, text: &mut Vec<u8>) {
+    text.extend(b"<g inkscape:groupmode=\"layer\" id=\"fill\"");
+    text.extend(format!(" inkscape:label=\"% {number} fill\"").bytes());
     text.extend(format!(" fill=\"{}\" stroke=\"none\">\n<path fill-rule=\"evenodd\" d=\"", fill.colour).bytes());
     fill.paths.iter().for_each(|path| push_data(path, text));
     text.extend(b"\"/>\n</g>\n");
