@@ -6,6 +6,7 @@ use silhouette_compare::camera_path::Orbit;
 use silhouette_compare::cost::Spread;
 use silhouette_compare::machine::describe_machine;
 use silhouette_compare::scaling::OURS;
+use silhouette_core::glam::DVec3;
 use silhouette_core::method::PrepareError;
 use silhouette_core::view::{Framing, Projection, ViewError, ViewPreset};
 use silhouette_core::{Camera, Cancelled, NoProgress, PreparedMesh, TriangleMesh};

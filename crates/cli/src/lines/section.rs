@@ -22,10 +22,15 @@ pub fn cut(
     for argument in planes {
         let beyond = || Failure::Input(format!("--section {argument}: lies beyond 32 bits as seen from the meshes"));
         let plane = &argument.seen_from(origin).ok_or_else(beyond)?;
-        if !parts.iter().any(|part| plane.takes_from(&part.mesh)) {
+        // What is cut has fewer faces or more vertices.
+        let size = |parts: &[SectionedMesh]| -> Vec<[usize; 2]> {
+            parts.iter().map(|part| [part.mesh.face_count(), part.mesh.vertex_count()]).collect()
+        };
+        let before = size(&parts);
+        parts = parts.into_iter().map(|part| part.cut(plane)).collect::<Result<_, _>>().map_err(Failure::input)?;
+        if size(&parts) == before {
             note(format!("{names}: --section {argument} takes nothing away: all lies on the side that stays"));
         }
-        parts = parts.into_iter().map(|part| part.cut(plane)).collect::<Result<_, _>>().map_err(Failure::input)?;
         if parts.iter().all(|part| part.mesh.face_count() == 0) {
             let mend = "its normal points to what is taken away; move the plane or turn its normal round";
             return Err(Failure::Input(format!("{names}: --section {argument} leaves nothing: {mend}")));

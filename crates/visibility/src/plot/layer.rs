@@ -27,6 +27,8 @@ pub enum LayerName {
 const HIDDEN: u32 = 20;
 /// The number of the outline.
 const OUTLINE: u32 = 40;
+/// The number of the fill, which is no layer of strokes.
+pub(super) const FILL: u32 = 99;
 /// Numbers that layers of one object may have.
 const PER_OBJECT: u64 = 100;
 

@@ -3,7 +3,7 @@
 use super::Drawing;
 use super::decimal::{number, printed, push_steps};
 use super::fill::Fill;
-use super::layer::{Layer, LayerName};
+use super::layer::{FILL, Layer, LayerName};
 use super::options::{Cap, Join};
 use super::paths::Path;
 use silhouette_core::glam::DVec2;
@@ -17,7 +17,8 @@ impl Drawing {
     /// layer whose label begins with its number, by which vpype and the AxiDraw software know layers, too: the same number for
     /// the same kind in every file. Views of one page are groups in them. Coordinates have three decimals, so that equal drawings
     /// are equal bytes. The outline is one path with `fill-rule="evenodd"`. A fill is a layer beneath all others, whose label
-    /// begins with `%`, by which the AxiDraw software knows what is not to be plotted.
+    /// begins with `%`, by which the AxiDraw software knows what is not to be plotted, and holds a number of its own, so that vpype,
+    /// which draws its border, keeps it apart.
     ///
     /// # Errors
     /// Those of `out`.
@@ -118,9 +119,10 @@ fn push_run(layer: &Layer, paths: Range<usize>, text: &mut Vec<u8>, out: &mut dy
     Ok(())
 }
 
-/// The layer of what is filled.
+/// The layer of what is filled, with a number above those of all others.
 fn push_fill(fill: &Fill, text: &mut Vec<u8>) {
-    text.extend(b"<g inkscape:groupmode=\"layer\" id=\"fill\" inkscape:label=\"% fill\"");
+    text.extend(b"<g inkscape:groupmode=\"layer\" id=\"fill\"");
+    text.extend(format!(" inkscape:label=\"% {FILL} fill\"").bytes());
     text.extend(format!(" fill=\"{}\" stroke=\"none\">\n<path fill-rule=\"evenodd\" d=\"", fill.colour).bytes());
     fill.paths.iter().for_each(|path| push_data(path, text));
     text.extend(b"\"/>\n</g>\n");

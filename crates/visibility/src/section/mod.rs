@@ -18,7 +18,7 @@ use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::MeshError;
 use silhouette_core::{FaceId, TriangleMesh, VertexId};
 use std::cmp::Ordering;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A mesh, or what section planes leave of it.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,8 +40,9 @@ impl SectionedMesh {
 
     /// What a plane leaves of it. Where the plane takes nothing away, all stays as it is. Expected O(F).
     ///
-    /// Faces are divided in points rounded to 32 bits. Which vertices lie in the plane is decided exactly, and again by each
-    /// plane: points in which one plane cut edges may lie a rounding off it.
+    /// Faces are divided in points rounded to 32 bits. On which side a vertex lies is decided exactly; one that lies so near to the
+    /// plane that both edges of a face cross it in one place, but for rounding, counts as lying in it. Each plane decides anew: points in
+    /// which one plane cut edges may lie a rounding off it.
     ///
     /// # Errors
     /// [`MeshError::TooLarge`] where the divided faces are more than a mesh can hold.
@@ -68,15 +69,20 @@ struct Sides {
 
 impl Sides {
     fn new(mesh: &TriangleMesh, plane: &SectionPlane) -> Self {
-        let sides: Vec<Ordering> = mesh.positions().iter().map(|&place| plane.side(place)).collect();
-        let mut first: HashMap<[u32; 3], u32> = HashMap::new();
+        let mut sides: Vec<Ordering> = mesh.positions().iter().map(|&place| plane.side(place)).collect();
+        let touching = touching(mesh, plane, &sides);
+        let mut first: HashMap<Place, u32> = HashMap::new();
         let mut first_at_place = HashMap::new();
-        for (vertex, _) in (0..).zip(&sides).filter(|(_, side)| side.is_eq()) {
-            // Both zeros are one place.
-            let place = (mesh.positions()[vertex as usize] + Vec3::ZERO).to_array().map(f32::to_bits);
-            let first = *first.entry(place).or_insert(vertex);
-            if first != vertex {
-                first_at_place.insert(vertex, first);
+        for (vertex, side) in (0..).zip(&mut sides) {
+            let place = place(mesh.positions()[vertex as usize]);
+            if !touching.is_empty() && touching.contains(&place) {
+                *side = Ordering::Equal;
+            }
+            if side.is_eq() {
+                let first = *first.entry(place).or_insert(vertex);
+                if first != vertex {
+                    first_at_place.insert(vertex, first);
+                }
             }
         }
         Self { sides, first_at_place }
@@ -102,6 +108,40 @@ impl Sides {
         let is_in_plane = |ends: &[u32; 2]| ends.iter().all(|&vertex| self.of(vertex).is_eq());
         (0..3).map(of_slot).filter(is_in_plane).map(|ends| self.edge(ends))
     }
+}
+
+/// The bits of a place; both zeros are one.
+type Place = [u32; 3];
+
+fn place(position: Vec3) -> Place {
+    (position + Vec3::ZERO).to_array().map(f32::to_bits)
+}
+
+/// Places of vertices beside the plane, but so near to it that both edges that leave one in a face cross the plane in one place,
+/// but for rounding. They count as lying in the plane: to cut them off would be a face without area and a section edge without
+/// length.
+fn touching(mesh: &TriangleMesh, plane: &SectionPlane, sides: &[Ordering]) -> HashSet<Place> {
+    let mut places = HashSet::new();
+    for (face, triangle) in mesh.triangles().iter().enumerate() {
+        let Some(slot) = lonely(triangle.map(|vertex| sides[vertex as usize])) else { continue };
+        let corners = mesh.corners(FaceId::from_usize(face));
+        let [a, b, c] = [0, 1, 2].map(|at| corners[(slot + at) % 3]);
+        let crossing = plane.crossing(a, b);
+        // A step of 32 bits on each axis: a face without width has its crossings in one place wherever it is cut.
+        let step = a.abs().max(b.abs()) * f32::EPSILON;
+        if place(crossing) == place(plane.crossing(a, c)) && (crossing - a).abs().cmple(step).all() {
+            places.insert(place(a));
+        }
+    }
+    places
+}
+
+/// The slot of the corner that is alone on its side, where the two others are on the other side.
+fn lonely(sides: [Ordering; 3]) -> Option<usize> {
+    (0..3).find(|&slot| {
+        let [other, last] = [sides[(slot + 1) % 3], sides[(slot + 2) % 3]];
+        sides[slot].is_ne() && other == last && other == sides[slot].reverse()
+    })
 }
 
 fn ascending([a, b]: [u32; 2]) -> [u32; 2] {
@@ -166,13 +206,7 @@ impl<'a> Cutter<'a> {
             return;
         }
         // The corner that is alone on its side, or the one in the plane, comes first.
-        let first = if below + above == 2 {
-            sides.iter().position(|side| side.is_eq())
-        } else {
-            let lonely = if below == 1 { Ordering::Less } else { Ordering::Greater };
-            sides.iter().position(|&side| side == lonely)
-        };
-        let first = first.unwrap_or(0);
+        let first = lonely(sides).or_else(|| sides.iter().position(|side| side.is_eq())).unwrap_or(0);
         let [a, b, c] = [0, 1, 2].map(|slot| triangle[(first + slot) % 3]);
         if below + above == 2 {
             let middle = self.crossing(b, c);

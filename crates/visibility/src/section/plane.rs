@@ -1,6 +1,5 @@
 //! [`SectionPlane`]: where a mesh is cut, and which side is taken away.
 
-use silhouette_core::TriangleMesh;
 use silhouette_core::glam::Vec3;
 use silhouette_core::orientation::height_over_plane;
 use std::cmp::Ordering;
@@ -51,15 +50,9 @@ impl SectionPlane {
         self.height(place).partial_cmp(&0.0).unwrap_or(Ordering::Equal)
     }
 
-    /// Whether the plane takes something of a mesh away. O(F).
-    pub fn takes_from(&self, mesh: &TriangleMesh) -> bool {
-        mesh.triangles().iter().flatten().any(|&vertex| self.side(mesh.positions()[vertex as usize]).is_gt())
-    }
-
     /// Where the edge between two places on different sides passes through the plane: the same bits whichever comes first.
     pub(super) fn crossing(&self, a: Vec3, b: Vec3) -> Vec3 {
-        let key = |place: Vec3| place.to_array().map(|coordinate| coordinate + 0.0);
-        let [a, b] = if key(a) <= key(b) { [a, b] } else { [b, a] };
+        let [a, b] = if a.to_array() <= b.to_array() { [a, b] } else { [b, a] };
         let [from, to] = [a, b].map(|place| self.height(place));
         a.as_dvec3().lerp(b.as_dvec3(), from / (from - to)).as_vec3().clamp(a.min(b), a.max(b))
     }
