@@ -63,7 +63,7 @@ pub fn measure_mesh(
             Ok(None) => continue,
             Err(PrepareError::Mesh(reason)) => {
                 let (mesh, method) = (name.to_owned(), entry.info().name);
-                left_out.push(LeftOut { mesh, method, reason: reason.to_string() });
+                left_out.push(LeftOut { mesh, method: method.to_owned(), reason: reason.to_string() });
                 continue;
             }
             Err(other) => return Err(failed(other)),
