@@ -189,3 +189,54 @@ fn mark_outer(places: &mut [TruePlace], outline: &Outline, scale: f64) {
     let grid = PointGrid::new(points, spacing);
     places.iter_mut().for_each(|place| place.is_outer = grid.nearest(place.at, |_| true).is_some());
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample_sequence::SampleSequence;
+    use super::*;
+
+    #[test]
+    fn places_keep_the_length_of_the_lines_and_lie_on_their_edges() {
+        let sample = SampleSequence::of("torus", 512);
+        for frame in &sample.sequence.frames {
+            let scale = reference_scale(512);
+            let segments = || frame.visible.iter().flat_map(VisibleLine::segments);
+            let length: f64 = segments().map(|(_, [from, to])| from.distance(to) * scale).sum();
+            let places: f64 = frame.places.iter().map(|place| place.length).sum();
+            assert!((places / length - 1.0).abs() < 1e-9 && length > 1000.0, "{places} of {length}");
+            for place in &frame.places {
+                assert!(place.length <= SPACING + 1e-9 && (place.normal.length() - 1.0).abs() < 1e-9);
+                let [a, b] =
+                    sample.topology.end_points(place.edge).map(|vertex| sample.rest[vertex.index()].as_dvec3());
+                let seen = frame.camera.project(a.lerp(b, place.share)).unwrap().pixel * scale;
+                assert!(seen.distance(place.at) < 1e-2, "{seen} instead of {}", place.at);
+            }
+        }
+    }
+
+    /// Around a ball the front faces are within.
+    #[test]
+    fn normals_point_to_the_front_faces_and_a_ball_is_one_outer_loop() {
+        let sample = SampleSequence::of("icosphere:4", 512);
+        let frame = &sample.sequence.frames[0];
+        assert_eq!(frame.loops, 1);
+        for place in &frame.places {
+            assert!((DVec2::splat(500.0) - place.at).normalize().dot(place.normal) > 0.9, "{place:?}");
+            assert!(place.is_outer && place.is_clear, "{place:?}");
+        }
+    }
+
+    #[test]
+    fn lines_side_by_side_are_not_clear() {
+        // The same line once more, five reference pixels inwards.
+        let places = |shape: &str| SampleSequence::of(shape, 512).sequence.frames.remove(0).places;
+        let clear =
+            |places: &[TruePlace]| places.iter().filter(|place| place.is_clear).count() as f64 / places.len() as f64;
+        let mut near = places("icosphere:4");
+        let beside: Vec<TruePlace> =
+            near.iter().map(|place| TruePlace { at: place.at + place.normal * 5.0, ..*place }).collect();
+        near.extend(beside);
+        mark_clear(&mut near);
+        assert!(clear(&near) < 1e-9 && clear(&places("icosphere:4")) > 0.99);
+    }
+}

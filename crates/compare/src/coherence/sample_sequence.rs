@@ -9,8 +9,9 @@ use crate::truth::pen;
 use crate::truth::visible::VisibleLine;
 use glam::DVec2;
 use rayon::prelude::*;
+use silhouette_core::glam::Vec3;
 use silhouette_core::view::Framing;
-use silhouette_core::{NoProgress, PreparedMesh, shapes};
+use silhouette_core::{NoProgress, PreparedMesh, Topology, shapes};
 use silhouette_gpu::{Pen, PenPlacement};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -21,6 +22,9 @@ const FRAMES: u32 = 12;
 /// Truth of a sequence.
 pub struct SampleSequence {
     pub sequence: Sequence,
+    pub topology: Topology,
+    /// Where the vertices rest.
+    pub rest: Vec<Vec3>,
 }
 
 /// Draws a frame of a sequence.
@@ -29,11 +33,20 @@ type Draw = fn(&TrueFrame, usize) -> Ink;
 impl SampleSequence {
     /// A shape with many loops, seen from an orbit in pictures of this height.
     pub fn blob(height: u32) -> Self {
-        let mesh = Arc::new(PreparedMesh::new(shapes::by_name("blob:5000").unwrap()));
+        Self::of("blob:5000", height)
+    }
+
+    /// A built-in shape, likewise.
+    pub fn of(shape: &str, height: u32) -> Self {
+        let mesh = Arc::new(PreparedMesh::new(shapes::by_name(shape).unwrap()));
         let orbit = Orbit { step_rad: 0.01, ..Orbit::turn(Framing::Perspective { fov_y_rad: 0.8 }, [height; 2], 1) };
         let bounds = mesh.mesh().bounds().unwrap();
         let cameras = Motion::Orbit.cameras(&orbit, &bounds, FRAMES).unwrap();
-        Self { sequence: true_sequence(&mesh, &bounds, Motion::Orbit, &cameras, &NoProgress).unwrap() }
+        Self {
+            sequence: true_sequence(&mesh, &bounds, Motion::Orbit, &cameras, &NoProgress).unwrap(),
+            topology: Topology::new(mesh.mesh()),
+            rest: mesh.mesh().positions().to_vec(),
+        }
     }
 
     pub fn measure(&self, draw: Draw) -> CoherenceMetrics {

@@ -52,7 +52,7 @@ pub struct MeshFacts {
 
 impl MeshFacts {
     /// Collects them. A part is what consistently wound pairs of faces join. It is wound inwards where its signed volume is
-    /// negative and it is closed, or nearly: a disc as long around as its boundary has less than [`NEARLY_CLOSED`] of its area.
+    /// negative and it is closed, or nearly: a disc as long around as its boundary has less than a quarter of its area.
     /// Which side of a sheet is its outer one nobody can say. O(E α(F)).
     pub fn new(mesh: &TriangleMesh, topology: &Topology) -> Self {
         let edges = || (0..topology.edge_count()).map(EdgeId::from_usize);
