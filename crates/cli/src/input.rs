@@ -10,7 +10,7 @@ use silhouette_compare::runner::NamedMesh;
 use silhouette_core::load::{self, Format, LabelledMesh, Note};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
-use silhouette_core::{PreparedMesh, Progress, VertexId, shapes};
+use silhouette_core::{PreparedMesh, Progress, TriangleMesh, VertexId, shapes};
 use silhouette_texture::{Textures, siltex};
 use std::io::Read as _;
 use std::path::Path;
@@ -51,6 +51,13 @@ pub fn welded(
 /// Joins vertices no farther apart than a distance; feature edges are then between the joined ones.
 pub fn weld(loaded: &mut LabelledMesh, distance: f32) -> Result<(), Failure> {
     let welded = weld_within(&loaded.mesh, distance).map_err(|error| Failure::Input(format!("--weld: {error}")))?;
+    let is_left = |mesh: &TriangleMesh| mesh.triangles().iter().any(|[a, b, c]| a != b && b != c && c != a);
+    if is_left(&loaded.mesh) && !is_left(&welded.mesh) {
+        let mend = "give less than the length of edges";
+        return Err(Failure::Input(format!(
+            "--weld: within {distance} of each other lie corners of every face; {mend}"
+        )));
+    }
     let edges = loaded.feature_edges.iter().map(|edge| edge.map(|vertex| welded.vertex_of[vertex as usize]));
     loaded.feature_edges = edges.filter(|[a, b]| a != b).map(|[a, b]| [a.min(b), a.max(b)]).collect();
     loaded.feature_edges.sort_unstable();
@@ -176,7 +183,7 @@ fn tell_apart(meshes: &mut [NamedMesh], arguments: &[MeshArgument]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use silhouette_core::{NoProgress, PreparedMesh, TriangleMesh};
+    use silhouette_core::{NoProgress, PreparedMesh};
     use std::sync::Arc;
 
     #[test]
