@@ -51,6 +51,13 @@ pub fn welded(
 /// Joins vertices no farther apart than a distance; feature edges are then between the joined ones.
 pub fn weld(loaded: &mut LabelledMesh, distance: f32) -> Result<(), Failure> {
     let welded = weld_within(&loaded.mesh, distance).map_err(|error| Failure::Input(format!("--weld: {error}")))?;
+    let is_left = |mesh: &TriangleMesh| mesh.triangles().iter().any(|[a, b, c]| a != b && b != c && c != a);
+    if is_left(&loaded.mesh) && !is_left(&welded.mesh) {
+        let mend = "give less than the length of edges";
+        return Err(Failure::Input(format!(
+            "--weld: within {distance} of each other lie corners of every face; {mend}"
+        )));
+    }
     let edges = loaded.feature_edges.iter().map(|edge| edge.map(|vertex| welded.vertex_of[vertex as usize]));
     loaded.feature_edges = edges.filter(|[a, b]| a != b).map(|[a, b]| [a.min(b), a.max(b)]).collect();
     loaded.feature_edges.sort_unstable();

@@ -363,3 +363,53 @@ fn notes_about_a_file_are_printed_once() {
     let json: serde_json::Value = serde_json::from_slice(&silhouettes(&["inspect", &clean, "--json"]).stdout).unwrap();
     assert_eq!(json["notes"], serde_json::json!([]));
 }
+
+/// A cube of this size about zero.
+fn cube(half: f64) -> String {
+    let corner = |at: u32| [at & 1, at >> 1 & 1, at >> 2].map(|side| half * (2.0 * f64::from(side) - 1.0));
+    let vertices = (0..8).map(corner).map(|[x, y, z]| format!("v {x:e} {y:e} {z:e}\n"));
+    vertices.collect::<String>() + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+}
+
+/// Sizes at both ends of what 32 bits hold, and no size at all: drawn, or refused with the true cause.
+#[test]
+fn sizes_at_the_ends_of_32_bits() {
+    let folder = Folder::new();
+    let out = folder.path("lines.json").to_str().unwrap().to_owned();
+    for half in [1e-24, 1e-38, 1e-42] {
+        let mesh = folder.file("tiny.obj", cube(half));
+        let output = silhouettes(&["lines", &mesh, "--creases", "30", "-o", &out]);
+        assert!(
+            output.status.success() && output.stderr.is_empty(),
+            "{half}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let found = fs::read_to_string(&out).unwrap();
+        assert_eq!(found.matches("\"kind\":\"silhouette\"").count(), 1, "{half}: the outline is one loop");
+        let text = String::from_utf8(silhouettes(&["inspect", &mesh]).stdout).unwrap();
+        assert!(text.contains("no defects") && text.contains("e-"), "{text}");
+    }
+    let huge = folder.file("huge.obj", cube(3.4e38));
+    for command in [&["extract"][..], &["lines"], &["lines", "--ortho", "fit"], &["lines", "--outline"]] {
+        let line = refused(&[command, &[&huge]].concat());
+        assert!(line.contains("too large") && line.contains("scale it down"), "{line}");
+    }
+    let point = folder.file("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+    for command in ["extract", "lines", "inspect"] {
+        assert!(silhouettes(&[command, &point]).status.success(), "{command}");
+    }
+}
+
+#[test]
+fn distances_that_leave_nothing_of_a_mesh() {
+    for command in
+        [&["extract", "--weld=1e30"][..], &["extract", "--weld=1e30", "-o", "x.glb"], &["lines", "--weld=1e30"]]
+    {
+        let line = refused(&[command, &["builtin:torus"]].concat());
+        assert!(line.contains("--weld: within 1000000000000000000000000000000 of each other"), "{line}");
+    }
+    assert!(refused(&["lines", "--heal=1e30", "builtin:torus"]).contains("--heal: no face of builtin:torus is higher"));
+    for distance in ["--weld=nan", "--weld=inf", "--weld=-1", "--heal=nan", "--heal=1e39"] {
+        assert!(refused(&["lines", distance, "builtin:torus"]).contains("is no distance"), "{distance}");
+    }
+}

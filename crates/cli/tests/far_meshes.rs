@@ -156,15 +156,18 @@ fn extracts_are_in_the_coordinates_of_the_file() {
     let written: Vec<Vec<f64>> = text.lines().filter(|row| row.starts_with("v ")).map(digits).collect();
     assert!(written.len() > 5 && written.iter().all(|vertex| known.contains(vertex)), "{written:?}");
 
+    let extent = |mesh: &str| tuples(&json(&["inspect", mesh, "--json"])["extent"], 3);
     let smooth = houses.path("smooth.obj");
     run(&["smooth", &houses.far, "--eye", &eye, "-o", &smooth]);
+    let of_far = extent(&smooth);
+    run(&["smooth", &houses.near, "--eye", "-20,-25,14", "-o", &smooth]);
+    for (far, near) in of_far.iter().zip(extent(&smooth)) {
+        assert!((0..3).all(|axis| (far[axis] - FAR[axis] - near[axis]).abs() < 1e-3), "{far:?} and {near:?}");
+    }
     let glb = houses.path("edges.glb");
     run(&["extract", &houses.far, "-o", &glb]);
-    let extent = |mesh: &str| tuples(&json(&["inspect", mesh, "--json"])["extent"], 3);
-    for written in [&smooth, &glb] {
-        for (ours, theirs) in extent(written).concat().iter().zip(extent(&houses.far).concat()) {
-            assert!((ours - theirs).abs() < 1e-4, "{written}: {ours} and {theirs}");
-        }
+    for (ours, theirs) in extent(&glb).concat().iter().zip(extent(&houses.far).concat()) {
+        assert!((ours - theirs).abs() < 1e-4, "{ours} and {theirs}");
     }
 }
 

@@ -35,6 +35,9 @@ pub enum ViewError {
     /// Eye, target or up is not finite.
     #[error("eye, target and up must be finite")]
     NotFinite,
+    /// What is to be seen is so large or so far off that 32-bit numbers cannot hold an eye that sees it.
+    #[error("the mesh is too large to be seen whole by a camera in 32-bit numbers; scale it down")]
+    TooLarge,
     /// There is no direction to look in.
     #[error("eye and target are the same point; move one of them")]
     NoDirection,

@@ -153,6 +153,11 @@ fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result
     };
     let healed = heal_t_junctions(&loaded.mesh, distance);
     let healed = healed.map_err(|error| Failure::Input(format!("--heal: {error}")))?;
+    if healed.mesh.face_count() == 0 && loaded.mesh.face_count() > 0 {
+        return Err(Failure::Input(format!(
+            "--heal: no face of {name} is higher than {distance}; give a smaller distance"
+        )));
+    }
     if healed.divided > 0 {
         note(format!("{name}: edges divided at T-junctions: {}", healed.divided));
     }

@@ -4,7 +4,7 @@ use super::Sides;
 use crate::id::HalfEdgeId;
 use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
-use crate::weld::{weld_exact, weld_within};
+use crate::weld::{Welded, weld_exact, weld_within};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 
@@ -27,7 +27,6 @@ const FARTHEST_LENGTHS: f64 = 0.1;
 impl Seams {
     /// The seams of a mesh, and the mesh without those of distance 0. O(V + F), expected.
     pub(super) fn of(sides: Sides) -> (Option<Self>, TriangleMesh, Topology) {
-        let before = boundary_edges(sides.topology);
         let exact = weld_exact(sides.mesh).mesh;
         let topology = Topology::new(&exact);
         let near = nearest_pairs(&exact, &topology);
@@ -35,18 +34,24 @@ impl Seams {
         // Not below it.
         let distance = if distance == 0.0 { 0.0 } else { (distance as f32).next_up() };
         let after = match distance {
-            0.0 => boundary_edges(&topology),
-            _ => weld_within(&exact, distance).map_or(before, |welded| boundary_edges(&Topology::new(&welded.mesh))),
+            0.0 => boundary_edges(&exact, &topology, 0.0),
+            _ => weld_within(&exact, distance)
+                .map_or(usize::MAX, |Welded { mesh, .. }| boundary_edges(&mesh, &Topology::new(&mesh), 0.0)),
         };
-        let closed = before.saturating_sub(after);
+        // Welding makes shorter ones points, which is no seam.
+        let closed = boundary_edges(sides.mesh, sides.topology, distance.into()).saturating_sub(after);
         ((closed > 0).then_some(Self { distance, boundary_edges: closed }), exact, topology)
     }
 }
 
-/// Boundary edges between two vertices.
-fn boundary_edges(topology: &Topology) -> usize {
-    let edges = topology.edges().iter().filter(|(_, [a, b])| a != b);
-    edges.filter(|&(edge, _)| topology.half_edges(edge).len() == 1).count()
+/// Boundary edges longer than a length.
+fn boundary_edges(mesh: &TriangleMesh, topology: &Topology, length: f64) -> usize {
+    let boundary = topology.edges().iter().filter(|&(edge, _)| topology.half_edges(edge).len() == 1);
+    let lengths = boundary.map(|(_, edge)| {
+        let [a, b] = edge.map(|vertex| mesh.positions()[vertex as usize]);
+        distance(a, b)
+    });
+    lengths.filter(|&of_edge| of_edge > length).count()
 }
 
 /// For each boundary edge that runs close along another one, in the other direction, how far their ends are apart.

@@ -367,6 +367,8 @@ fn seams_are_found_with_the_distance_that_closes_them() {
     let welded = crate::weld::weld_within(&two_squares(1e-4), near.distance).unwrap().mesh;
     assert_eq!((examine(&welded).boundary_edges, examine(&welded).seams), (6, None));
     assert_eq!(examine(&two_squares(0.1)).seams, None, "a gap");
+    let point = TriangleMesh::new(vec![Vec3::ONE; 3], vec![[0, 1, 2]]).unwrap();
+    assert_eq!(examine(&point).seams, None, "a point has no sides");
     assert_eq!(examine(&builtin("cube")).seams, None);
     assert_eq!(examine(&builtin("grid:3,2")).seams, None);
 }

@@ -121,6 +121,9 @@ impl Camera {
             }
         };
         let eye = (bounds.center + direction * distance).as_vec3();
+        if up.is_finite() && !eye.is_finite() {
+            return Err(ViewError::TooLarge);
+        }
         Self::new(eye, bounds.center.as_vec3(), up, projection, size)
     }
 
