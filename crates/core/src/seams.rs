@@ -3,7 +3,7 @@
 //! Exporters split vertices along seams of texture coordinates, normals and materials, and write them rounded. What is one surface
 //! to its author is then open: each seam is drawn as two boundaries, and no crease or silhouette is found along it.
 
-use crate::id::EdgeId;
+use crate::id::{EdgeId, FaceId};
 use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
 use crate::weld::ExactPositions;
@@ -34,17 +34,18 @@ impl OpenSeams {
     }
 
     /// The open seams among some boundary edges. Edges lie on each other if both ends coincide or lie within a hundredth of their
-    /// length. O(edges), expected.
+    /// length, unless they are sides of one face. O(edges), expected.
     pub fn among(mesh: &TriangleMesh, topology: &Topology, boundary: impl IntoIterator<Item = EdgeId>) -> Self {
         let position = |vertex: u32| mesh.positions()[vertex as usize];
         let mut places = ExactPositions::default();
-        let mut ends_of: HashMap<[u32; 2], (u32, [Vec3; 2])> = HashMap::new();
+        let mut ends_of: HashMap<[u32; 2], (u32, Side)> = HashMap::new();
         for edge in boundary {
             let ends = topology.edges()[edge].map(position);
             let mut place = ends.map(|end| places.id_of(end));
             place.sort_unstable();
             if place[0] != place[1] {
-                ends_of.entry(place).or_insert((0, ends)).0 += 1;
+                let face = topology.half_edges(edge)[0].face();
+                ends_of.entry(place).or_insert((0, Side { ends: ends.map(Vec3::as_dvec3), face })).0 += 1;
             }
         }
         let coinciding: usize =
@@ -52,39 +53,48 @@ impl OpenSeams {
         // In the order of their places, so that equal meshes have equal seams.
         let mut single: Vec<_> = ends_of.into_iter().filter(|(_, (count, _))| *count == 1).collect();
         single.sort_unstable_by_key(|&(place, _)| place);
-        let single: Vec<[DVec3; 2]> = single.into_iter().map(|(_, (_, ends))| ends.map(Vec3::as_dvec3)).collect();
+        let single: Vec<Side> = single.into_iter().map(|(_, (_, side))| side).collect();
         let near = near_edges(&single);
         let distance = near.iter().copied().flatten().fold(0.0, f64::max);
         Self { edges: coinciding + near.iter().flatten().count(), distance: rounded_up(distance) }
     }
 }
 
+/// A boundary edge.
+struct Side {
+    ends: [DVec3; 2],
+    /// A face at it.
+    face: FaceId,
+}
+
 /// For each edge how far the ends of the nearest other one are from its own, if that is near.
-fn near_edges(edges: &[[DVec3; 2]]) -> Vec<Option<f64>> {
+fn near_edges(edges: &[Side]) -> Vec<Option<f64>> {
     let mut grid: HashMap<Cell, Vec<u32>> = HashMap::new();
-    for (index, edge) in edges.iter().enumerate() {
-        let class = class_of(edge[0].distance(edge[1]));
-        let entries = grid.entry(cell(class, place_in(class, edge).floor())).or_default();
+    for (index, Side { ends, .. }) in edges.iter().enumerate() {
+        let class = class_of(ends[0].distance(ends[1]));
+        let entries = grid.entry(cell(class, place_in(class, ends).floor())).or_default();
         if entries.len() < MOST_COMPARED {
             entries.push(index as u32);
         }
     }
-    let nearest = |(index, edge): (usize, &[DVec3; 2])| {
-        let length = edge[0].distance(edge[1]);
+    let nearest = |Side { ends, face }: &Side| {
+        let length = ends[0].distance(ends[1]);
         let classes = [length * (1.0 - 3.0 * NEARNESS), length, length * (1.0 + 3.0 * NEARNESS)].map(class_of);
         let mut nearest: Option<f64> = None;
         for (rank, &class) in classes.iter().enumerate() {
             if classes[..rank].contains(&class) {
                 continue;
             }
-            let scaled = place_in(class, edge);
+            let scaled = place_in(class, ends);
             let own = scaled.floor();
             let nearer = own + DVec3::select((scaled - own).cmplt(DVec3::splat(0.5)), DVec3::NEG_ONE, DVec3::ONE);
             for corner in 0..8 {
                 let axis = |i: usize| if corner >> i & 1 == 0 { own[i] } else { nearer[i] };
                 let found = grid.get(&cell(class, DVec3::new(axis(0), axis(1), axis(2))));
-                for &other in found.into_iter().flatten().filter(|&&other| other as usize != index) {
-                    let distance = distance(edge, &edges[other as usize]);
+                let others = found.into_iter().flatten().map(|&other| &edges[other as usize]);
+                // Among them is this edge itself.
+                for other in others.filter(|other| other.face != *face) {
+                    let distance = distance(ends, &other.ends);
                     if distance <= NEARNESS * length && nearest.is_none_or(|least| distance < least) {
                         nearest = Some(distance);
                     }
@@ -93,7 +103,7 @@ fn near_edges(edges: &[[DVec3; 2]]) -> Vec<Option<f64>> {
         }
         nearest
     };
-    edges.iter().enumerate().map(nearest).collect()
+    edges.iter().map(nearest).collect()
 }
 
 /// A class of lengths, and a cell of the grid of that class.
@@ -196,6 +206,12 @@ mod tests {
             let rounded = rounded_up(distance);
             assert!(f64::from(rounded) >= distance && (rounded - expected).abs() <= expected * 1e-5, "{rounded}");
         }
+    }
+
+    #[test]
+    fn two_sides_of_a_needle_are_no_seam() {
+        let corners = vec![Vec3::ZERO, Vec3::new(10.0, 0.0, 0.0), Vec3::new(10.0, 0.01, 0.0)];
+        assert_eq!(seams(&TriangleMesh::new(corners, vec![[0, 1, 2]]).unwrap()), OpenSeams::default());
     }
 
     /// A crowd of copies is counted in one pass, and a crowd of near edges in bounded time.

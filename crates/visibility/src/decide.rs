@@ -35,7 +35,7 @@ pub fn decide(
         let layers = &layers[gaps.clone()];
         emit(*stroke, *range, &cuts.gaps[gaps.clone()], layers, max_invisibility, &mut pieces);
         if pieces.len() as u64 > MAX_PIECES + cuts.strokes.len() as u64 {
-            return Err(LineError::TooCrowded);
+            return Err(LineError::TooManyPieces);
         }
     }
     Ok(Decided { pieces, stats: cuts.stats, sight_lines })

@@ -14,7 +14,7 @@
 //!
 //! For S drawn edges, C contours and K events: O((S + C + K) log K + S log F) per view and one line of sight per connected
 //! set; preparation O(F log F). What would take more than [`MAX_WORK`], [`MAX_EVENTS`] or [`MAX_PIECES`] allow ends in
-//! [`LineError::TooCrowded`] before it is spent: below 1 GB and about ten seconds. The same bits for any number of threads.
+//! [`LineError::TooCrowded`] or [`LineError::TooManyPieces`] before it is spent: below 1 GB and about ten seconds. The same bits for any number of threads.
 //!
 //! # How it works
 //!

@@ -23,6 +23,11 @@ pub enum LineError {
     /// Too many edges or faces lie over each other in this view.
     #[error("too many edges or faces lie over each other in this view; choose another view or fewer kinds of edges")]
     TooCrowded,
+    /// The lines of this view come in more than [`MAX_PIECES`] pieces; visible lines alone are fewer.
+    #[error(
+        "the lines of this view come in too many pieces; choose another view, fewer kinds of edges, or no hidden lines"
+    )]
+    TooManyPieces,
     /// Too many faces lie in one place, or pass through each other, to find their lines of intersection.
     #[error(
         "too many faces lie in one place or pass through each other to draw their lines of intersection; leave those out"

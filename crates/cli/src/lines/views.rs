@@ -129,7 +129,7 @@ fn find(
     if bridges_gaps && wanted.max_invisibility == 0 {
         let deeper = LineOptions { max_invisibility: 1, ..wanted.clone() };
         match finder.find(camera, &deeper, progress) {
-            Err(LineError::TooCrowded) => {}
+            Err(LineError::TooManyPieces) => {}
             found => return found,
         }
     }

@@ -51,10 +51,16 @@ impl LayerName {
     }
 
     /// Its number, the same in every drawing, so that files of different views have each kind in the same layer: from 1 for
-    /// visible lines and from 21 for hidden ones, in the order of [`LineKind::ALL`]; 40 for the outline.
+    /// visible lines and from 21 for hidden ones, in the order of [`LineKind::ALL`] with sections last; 40 for the outline.
     pub const fn number(self) -> u32 {
         match self {
-            Self::Lines { kind, visible } => kind as u32 + 1 + if visible { 0 } else { HIDDEN },
+            Self::Lines { kind, visible } => {
+                let number = match kind {
+                    LineKind::Section => LineKind::ALL.len() as u32,
+                    other => other as u32,
+                };
+                number + if visible { 0 } else { HIDDEN }
+            }
             Self::Outline => OUTLINE,
         }
     }

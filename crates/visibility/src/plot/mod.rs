@@ -255,7 +255,8 @@ fn bridge_layers(
     let open = layers.iter().map(|layer| layer.paths.iter().filter(|path| !path.closed));
     let ends: Vec<HashSet<[i64; 2]>> =
         open.map(|paths| paths.flat_map(|path| [path.start(), path.end()]).map(decimal::printed).collect()).collect();
-    let most = |kind| options.bridge.unwrap_or(options.pens.of(kind).width).to(options.unit) / placement.scale;
+    let closed_by_ends = |kind| if options.cap == Cap::Butt { Length::mm(0.0) } else { options.pens.of(kind).width };
+    let most = |kind| options.bridge.unwrap_or_else(|| closed_by_ends(kind)).to(options.unit) / placement.scale;
     for (name, object, gap) in bridge::gaps(lines, most) {
         let of_object = |layer: &Layer| options.layers == LayersBy::Kind || layer.order.0 == object;
         let Some(index) = layers.iter().position(|layer| layer.name == name && of_object(layer)) else { continue };

@@ -67,7 +67,7 @@ pub struct PlotOptions {
     pub min_length: Length,
     /// How wide a gap may be across which a visible contour goes on: one that a fold hides for a moment, while the same contour
     /// continues underneath. Known where lines of at least invisibility 1 were found. `None` is the width of its pen, whose round
-    /// ends close such a gap; 0 leaves all. Default: `None`.
+    /// or square ends close such a gap, and 0 for [`Cap::Butt`]; 0 leaves all. Default: `None`.
     pub bridge: Option<Length>,
     /// Whether cubic curves take the place of straight segments that turn little, within the merge tolerance. Default: no.
     pub curves: bool,

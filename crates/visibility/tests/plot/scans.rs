@@ -5,7 +5,7 @@ use silhouette_core::glam::DVec2;
 use silhouette_core::view::{Framing, ViewPreset};
 use silhouette_core::{Camera, NoProgress, PreparedMesh};
 use silhouette_testing::real_meshes;
-use silhouette_visibility::plot::{Drawing, Length, PlotOptions, Unit, plot};
+use silhouette_visibility::plot::{Cap, Drawing, Length, PlotOptions, Unit, plot};
 use silhouette_visibility::{LineFinder, LineKind, LineOptions, LineScene, Lines};
 use std::sync::Arc;
 
@@ -42,6 +42,8 @@ fn a_contour_goes_on_across_gaps_as_wide_as_its_pen() {
     assert_eq!(paths(&straight(2.5), &wide), (1, 1));
     let off = PlotOptions { bridge: Some(Length::px(0.0)), ..in_pixels(2.0) };
     assert_eq!(paths(&straight(1.5), &off), (2, 0));
+    let butt = PlotOptions { cap: Cap::Butt, ..in_pixels(2.0) };
+    assert_eq!(paths(&straight(1.5), &butt), (2, 0), "no end closes the gap");
 
     // Behind the fold it may zigzag, through several layers.
     let zigzag = [([51.0, 53.0], 1), ([50.5, 52.0], 2), ([51.5, 50.0], 1)];

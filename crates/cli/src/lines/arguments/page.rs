@@ -38,7 +38,7 @@ pub struct PageArguments {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
     /// Visible contours that a fold hides for no longer than this go on without lifting the pen, if the same contour continues
-    /// underneath; 0 leaves all gaps [default: the pen's width, which its round ends close anyway]
+    /// underneath; 0 leaves all gaps [default: the pen's width, which its ends close anyway; with --cap butt: 0]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub bridge: Option<String>,
     /// Draws curves in place of straight segments that turn little, within --tolerance; corners stay
