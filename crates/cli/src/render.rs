@@ -27,6 +27,11 @@ pub fn run(arguments: &RenderArguments, registry: &Registry) -> Result<(), Failu
         return Err(Failure::Input(format!("--width {}: give {min} to {max} pixels", arguments.width)));
     }
     let entry = registry.find(&arguments.method.method).map_err(Failure::input)?;
+    let can = entry.capabilities();
+    if !(can.edges || can.lines || can.fill) {
+        let mend = format!("silhouettes extract --method {} -o FILE.svg draws those", arguments.method.method);
+        return Err(Failure::Input(format!("--method {}: yields curves alone; {mend}", arguments.method.method)));
+    }
     let ground = if arguments.transparent { Ground::Transparent } else { Ground::Paper };
     let words = on_ground(entry, ground).into_iter().chain(arguments.method.set.iter().map(String::as_str));
     let options = OptionValues::parse(entry.info().options, words)?;

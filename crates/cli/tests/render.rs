@@ -33,6 +33,10 @@ fn grounds_are_transparent_by_every_method() {
         let name = row.split_whitespace().next().unwrap();
         let yields = |what: &str| row.split_whitespace().any(|word| word.trim_end_matches(',') == what);
         if !["edges", "lines", "fill"].into_iter().any(yields) {
+            let output =
+                run(&["render", "builtin:cube", "--method", name, "-o", folder.path().join("x.png").to_str().unwrap()]);
+            let line = String::from_utf8(output.stderr).unwrap();
+            assert!(output.status.code() == Some(2) && line.contains(name) && line.contains("extract"), "{line}");
             continue;
         }
         let options: &[&str] = match name {
