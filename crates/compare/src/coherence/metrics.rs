@@ -53,7 +53,7 @@ pub fn observe(frame: &TrueFrame, drawn: &DrawnFrame) -> Vec<Observation> {
 pub struct CoherenceMetrics {
     /// [`movement`]: what 99 % of the line moves at most.
     pub movement_p99_rpx: f64,
-    /// [`movement`]: the most that any place moves.
+    /// [`movement`]: the most that a stretch moves.
     pub movement_max_rpx: f64,
     /// [`flicker`]: share of the drawn length.
     pub flicker: f64,
@@ -112,7 +112,7 @@ pub const COHERENCE: [CoherenceSpec; 5] = [
         title: "movement, max",
         unit: "rpx",
         worst: "20",
-        summary: "The largest such change.",
+        summary: "The largest such change that every place of some stretch of 20 rpx makes.",
         value: |metrics| Some(metrics.movement_max_rpx),
     },
     CoherenceSpec {

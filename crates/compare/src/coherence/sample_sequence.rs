@@ -101,6 +101,12 @@ pub fn jittering(frame: &TrueFrame, at: usize) -> Ink {
     drawn(frame, |_| DVec2::new(if at.is_multiple_of(2) { 0.0 } else { 1000.0 / 512.0 }, 0.0), |_| true)
 }
 
+/// A short stretch of the right-hand outline, in one frame, four reference pixels to the right.
+pub fn jumping(frame: &TrueFrame, at: usize) -> Ink {
+    let is_there = |point: DVec2| at == 6 && point.x > 500.0 && (480.0..540.0).contains(&point.y);
+    drawn(frame, |point| DVec2::new(if is_there(point) { 4.0 } else { 0.0 }, 0.0), |_| true)
+}
+
 /// Always the same way off.
 pub fn lagging(frame: &TrueFrame, _at: usize) -> Ink {
     drawn(frame, |_| DVec2::new(2.5, -1.0), |_| true)
