@@ -4,7 +4,7 @@ use super::arguments::PartArguments;
 use crate::failure::Failure;
 use crate::input;
 use crate::progress::TerminalProgress;
-use silhouette_core::load::{LabelledMesh, Part};
+use silhouette_core::load::{self, LabelledMesh, Part};
 use silhouette_core::{FaceId, TriangleMesh};
 use silhouette_visibility::LineScene;
 use silhouette_visibility::plot::LayersBy;
@@ -150,7 +150,7 @@ fn names(meshes: &[(String, LabelledMesh)]) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for (file, loaded) in meshes {
         names.insert(file.clone());
-        let parts = loaded.parts.iter().flat_map(silhouette_core::load::Parts::as_slice);
+        let parts = loaded.parts.iter().flat_map(load::Parts::as_slice);
         names.extend(parts.flat_map(|part| part.names.iter().cloned()));
     }
     names
@@ -180,7 +180,7 @@ fn labels<'a>(file: &'a str, loaded: &'a LabelledMesh) -> impl Fn(usize) -> &'a 
         (parts, names)
     });
     move |face| {
-        let of_part = |(parts, names): &(&silhouette_core::load::Parts, Vec<&'a str>)| {
+        let of_part = |(parts, names): &(&load::Parts, Vec<&'a str>)| {
             parts.of(FaceId::from_usize(face)).map(|part| names[part as usize])
         };
         parts.as_ref().and_then(of_part).unwrap_or(file)

@@ -11,7 +11,7 @@ use super::{Drawing, plot_placed};
 use crate::lines::Lines;
 use silhouette_core::glam::DVec2;
 use silhouette_core::progress::Progress;
-use silhouette_core::view::{Projection, ViewPreset};
+use silhouette_core::view::{Camera, Projection, ViewPreset};
 use std::collections::BTreeMap;
 
 /// How views are folded into the plane of the page.
@@ -95,8 +95,8 @@ fn placements(
     let per_unit = first.lines.camera.pixels_per_unit(1.0);
     for SheetView { lines: Lines { camera, .. }, .. } in views {
         options.check(camera)?;
-        let is_like =
-            camera.pixels_per_unit(1.0).total_cmp(&per_unit).is_eq() && camera.target() == first.lines.camera.target();
+        let like = |one: &Camera| (one.projection(), one.size(), one.target());
+        let is_like = like(camera) == like(&first.lines.camera);
         if !is_like || !matches!(camera.projection(), Projection::Orthographic { .. }) {
             return Err(PlotError::Views);
         }
