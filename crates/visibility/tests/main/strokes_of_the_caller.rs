@@ -159,6 +159,37 @@ fn lines_are_drawn_between_labels_which_must_fit() {
     assert_eq!(error, SceneError::PerFace { what: "labels", given: 3, faces: 320 });
 }
 
+/// A mask hides what it hid before, and is not drawn; what the faces belong to changes nothing but that.
+#[test]
+fn masks_hide_without_being_drawn() {
+    let (cube, torus) = (builtin("cube"), builtin("torus"));
+    let near = moved(&torus, Vec3::new(0.6, 0.5, 0.7));
+    let scene = LineScene::of_meshes(&[&cube, &near]).unwrap();
+    let cube_faces = cube.face_count() as u32;
+    let objects: Vec<u32> =
+        (0..(cube_faces + near.face_count() as u32)).map(|face| u32::from(face >= cube_faces)).collect();
+    let is_mask: Vec<bool> = objects.iter().map(|object| *object == 1).collect();
+    let options = LineOptions { intersection: true, max_invisibility: u32::MAX, mesh: true, ..LineOptions::default() };
+    let of_cube = |lines: &Lines| -> Vec<_> {
+        let chains = lines.chains.iter().filter(|chain| chain.style.object == 0);
+        chains.map(|chain| (chain.style, chain.pixels.to_vec())).collect()
+    };
+    let plain = find(scene.clone(), DVec3::ONE, &options);
+    let masked = find(scene.clone().with_masks(is_mask).unwrap(), DVec3::ONE, &options);
+    assert!(plain.chains.iter().any(|chain| chain.style.object == 1));
+    assert!(masked.chains.iter().all(|chain| chain.style.object == 0));
+    assert_eq!(of_cube(&masked), of_cube(&plain));
+    assert!(length(&masked, LineKind::Silhouette, false) > 1.0, "the mask hides something");
+
+    let same = find(scene.clone().with_objects(objects.clone()).unwrap(), DVec3::ONE, &options);
+    assert_eq!(same.chains, plain.chains);
+    let apart = objects.iter().map(|object| object + 3).collect();
+    assert_eq!(scene.clone().with_objects(apart).unwrap().object_count(), 5);
+    let error = scene.clone().with_masks(vec![true]).unwrap_err();
+    assert!(matches!(error, SceneError::PerFace { what: "masks", given: 1, .. }), "{error}");
+    assert!(matches!(scene.with_objects(vec![]).unwrap_err(), SceneError::PerFace { what: "objects", .. }));
+}
+
 #[test]
 fn the_cache_finds_a_view_once() {
     let mesh = builtin("knot");
