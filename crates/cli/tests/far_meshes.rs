@@ -198,3 +198,22 @@ fn meshes_of_one_drawing_share_their_space() {
         assert!((min - FAR[0]).abs() < 1e-4 && (max - FAR[0] - 910.3).abs() < 1e-4, "{min} to {max}");
     }
 }
+
+/// Parts that are left out, or only hide others, leave the rest where it is.
+#[test]
+fn parts_of_far_meshes_stay_where_they_are() {
+    let houses = Houses::new();
+    let text = std::fs::read_to_string(&houses.far).unwrap();
+    let chimney = format!("f {}", BOX[0].map(|corner| (corner + 10).to_string()).join(" "));
+    let named = text.replacen("\nf ", "\no walls\nf ", 1).replacen(&chimney, &format!("o chimney\n{chimney}"), 1);
+    let (mesh, out) = (houses.path("parts.obj"), houses.path("part.json"));
+    std::fs::write(&mesh, named).unwrap();
+    for which in [["--only", "chimney"], ["--mask", "walls"]] {
+        run(&[&["lines", &mesh, "--view", "front", "--up-axis", "z", "-o", &out][..], &which].concat());
+        let found: Value = serde_json::from_slice(&std::fs::read(&out).unwrap()).unwrap();
+        let points: Vec<_> =
+            found["chains"].as_array().unwrap().iter().flat_map(|chain| tuples(&chain["points"], 3)).collect();
+        let low = points.iter().map(|point| point[0]).fold(f64::MAX, f64::min);
+        assert!((low - FAR[0] - CHIMNEY[0]).abs() < 1e-4, "{which:?}: {low}");
+    }
+}

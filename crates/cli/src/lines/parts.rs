@@ -142,7 +142,8 @@ pub fn without_masks(scene: &LineScene, is_mask: &[bool]) -> Result<LineScene, F
     let mesh = scene.mesh().mesh();
     let drawn = mesh.triangles().iter().zip(is_mask).filter(|(_, is_mask)| !**is_mask);
     let drawn = TriangleMesh::new(mesh.positions().to_vec(), drawn.map(|(corners, _)| *corners).collect());
-    LineScene::of_meshes(&[&drawn.map_err(Failure::input)?]).map_err(Failure::input)
+    let drawn = drawn.map_err(Failure::input)?.with_origin(mesh.origin());
+    LineScene::of_meshes(&[&drawn]).map_err(Failure::input)
 }
 
 /// All names of parts, and of the meshes.
@@ -201,7 +202,7 @@ fn keep(loaded: &mut LabelledMesh, is_kept: &[bool]) {
         *parts = parts.of_faces(faces().map(FaceId::from_usize));
     }
     let mesh = TriangleMesh::new(loaded.mesh.positions().to_vec(), triangles);
-    loaded.mesh = mesh.expect("some faces of a mesh are a mesh");
+    loaded.mesh = mesh.expect("some faces of a mesh are a mesh").with_origin(loaded.mesh.origin());
 }
 
 fn unknown_name(option: &str, name: &str, known: &BTreeSet<String>, also: &str) -> Failure {
