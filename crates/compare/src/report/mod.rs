@@ -3,7 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `index.html` | charts, pictures and tables for people; asks nothing of the network |
-//! | `run.json` | the scene, the machine, the adapter and the program, and which methods refused which mesh: what all results have in common |
+//! | `run.json` | the scene, which methods refused which mesh, and the runs, each with machine, adapter and program: what all results have in common |
 //! | `results.jsonl` | one [`Cell`](crate::record::Cell) per line, its scored frames nested in it |
 //! | `results.csv` | the same as a [flat table](crate::record::flat): one row per scored frame, one column per option |
 //! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`](crate::scaling::ExtractionRow) per line |

@@ -252,15 +252,12 @@ fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
     builder.prefix(".cell-").suffix(".part");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder).map_err(|error| at(path)(kind_alone(&error)))?;
-    file.write_all(bytes).map_err(at(path))?;
-    file.persist(path).map_err(|error| at(path)(error.error))?;
+    // The text of an error about a temporary file names that file, of which nobody has heard.
+    let failed = |error: io::Error| at(path)(error.kind().into());
+    let mut file = builder.tempfile_in(folder).map_err(failed)?;
+    file.write_all(bytes).map_err(failed)?;
+    file.persist(path).map_err(|error| failed(error.error))?;
     Ok(())
-}
-
-/// The text of an error about a temporary file names that file, which means nothing to anybody.
-fn kind_alone(error: &io::Error) -> io::Error {
-    error.kind().into()
 }
 
 fn remove_file(path: &Path) -> Result<(), StoreError> {
