@@ -217,3 +217,52 @@ fn parts_of_far_meshes_stay_where_they_are() {
         assert!((low - FAR[0] - CHIMNEY[0]).abs() < 1e-4, "{which:?}: {low}");
     }
 }
+
+/// A cube of side 2 about a place.
+fn cube(folder: &std::path::Path, name: &str, [x, y, z]: [f64; 3]) -> String {
+    let mut text = String::new();
+    for corner in 0..8 {
+        let side = [corner & 1, corner >> 1 & 1, corner >> 2].map(|side| f64::from(2 * side - 1));
+        text += &format!("v {} {} {}\n", x + side[0], y + side[1], z + side[2]);
+    }
+    for quad in BOX {
+        text += &format!("f {}\n", quad.map(|corner| corner.to_string()).join(" "));
+    }
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Places of all chains in the coordinates of the file.
+fn places(document: &Value) -> Vec<[f64; 3]> {
+    let chains = document["chains"].as_array().unwrap();
+    let points = chains.iter().flat_map(|chain| chain["points"].as_array().unwrap());
+    points.map(|point| [0, 1, 2].map(|axis| point[axis].as_f64().unwrap())).collect()
+}
+
+#[test]
+fn a_mesh_that_is_cut_open_stays_where_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (one, other) = (
+        cube(folder.path(), "one.obj", [500_000.0, 0.0, 5_400_000.0]),
+        cube(folder.path(), "other.obj", [500_006.0, 0.0, 5_400_000.0]),
+    );
+    let view = ["--view", "front", "--ortho", "fit"];
+    run(&[&["lines", &one, &other, "--section", "500000,0,5400000,0,0,1", "-o", &at("cut.json")], &view[..]].concat());
+    let cut: Value = serde_json::from_slice(&std::fs::read(at("cut.json")).unwrap()).unwrap();
+    let places = places(&cut);
+    assert!(places.iter().any(|place| place[0] > 500_005.5), "the other one is drawn: {places:?}");
+    assert!(places.iter().all(|place| (place[0] - 500_003.0).abs() < 4.5 && place[2] <= 5_400_001.0), "{places:?}");
+    assert!(places.iter().any(|place| (place[2] - 5_400_000.0).abs() < 1e-3), "the section");
+
+    // What remains may be small and far from where the whole was: the camera stays.
+    let (near, far) = (cube(folder.path(), "near.obj", [0.0; 3]), cube(folder.path(), "far.obj", [1000.0, 0.0, 0.0]));
+    let target = |options: &[&str]| {
+        run(&[&["lines", &near, &far, "-o", &at("page.json")], options, &view[..]].concat());
+        let page: Value = serde_json::from_slice(&std::fs::read(at("page.json")).unwrap()).unwrap();
+        page["camera"]["target"].clone()
+    };
+    assert_eq!(target(&["--section", "950,0,0,-1,0,0"]), target(&[]));
+    assert_eq!(target(&["--section", "50,0,0,1,0,0"]), target(&[]));
+}

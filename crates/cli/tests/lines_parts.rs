@@ -194,3 +194,45 @@ fn views_are_groups_of_one_page() {
     assert!(refused(&["builtin:cube", "--views", "front", "--view", "top"]).contains("--view"));
     assert!(refused(&["builtin:cube", "--views", "front", "--units", "px"]).contains("page"));
 }
+
+#[test]
+fn edges_of_parts_are_numbered_as_in_their_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene(folder.path());
+    let edges = |by: &str| {
+        let path = folder.path().join(format!("{by}.json"));
+        svg(&[&[scene.as_str(), "--layers", by, "-o", path.to_str().unwrap()], &FRONT[..]].concat());
+        let document: serde_json::Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+        let chains = document["chains"].as_array().unwrap();
+        let mut edges: Vec<String> =
+            chains.iter().flat_map(|chain| chain["edges"].as_array().unwrap()).map(ToString::to_string).collect();
+        edges.sort_unstable();
+        edges
+    };
+    let of_kinds = edges("kind");
+    assert!(!of_kinds.is_empty());
+    assert_eq!((edges("object"), edges("both")), (of_kinds.clone(), of_kinds));
+}
+
+#[test]
+fn a_mask_is_no_place_for_the_output() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, mask) = (scene(folder.path()), folder.path().join("mask.gltf"));
+    svg(&["builtin:cube", "-o", mask.to_str().unwrap()]);
+    let before = std::fs::read(&mask).unwrap();
+    let mask_name = mask.to_str().unwrap();
+    assert!(refused(&[&scene, "--mask", mask_name, "-o", mask_name]).contains("is the input"));
+    assert_eq!(std::fs::read(&mask).unwrap(), before);
+    assert!(refused(&[&scene, "--mask", "scene.obj"]).contains("--mask hides all"));
+}
+
+#[test]
+fn a_page_has_one_outline_however_layers_are_parted() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene(folder.path());
+    let views = ["--views", "front,top", "--outline", "--layers", "object", "--bridge", "0"];
+    let page = svg(&[&[scene.as_str()], &views[..]].concat());
+    assert_eq!(attributes(&page, "g", "id").iter().filter(|id| **id == "outline").count(), 1);
+    assert!(labels(&page).last().unwrap().ends_with("outline"), "{:?}", labels(&page));
+    assert!(refused(&[&scene, "--views", "front,top", "--fit", "view"]).contains("--views"));
+}

@@ -148,7 +148,10 @@ impl TriangleMesh {
     /// [`MeshError`]: together they are too large, or too far from each other for 32 bits.
     pub fn of_parts(parts: &[&Self]) -> Result<Self, MeshError> {
         let (mut positions, mut triangles) = (Vec::new(), Vec::new());
-        let origin = common_origin(parts.iter().copied());
+        // One that all have stays, however far from it some of them lie.
+        let shared = parts.first().map_or(DVec3::ZERO, |first| first.origin);
+        let is_shared = parts.iter().all(|part| part.origin == shared);
+        let origin = if is_shared { shared } else { common_origin(parts.iter().copied()) };
         for &part in parts {
             // Most have the same origin, and need no copy.
             let placed = if part.origin == origin { None } else { Some(part.relative_to(origin)?) };

@@ -178,14 +178,14 @@ fn mesh_strokes(
     let known: Vec<(EdgeId, LineKind, Option<&Contour>)> = known.collect();
     let stroke = |&(edge, kind, contour): &(EdgeId, LineKind, Option<&Contour>)| {
         let (vertices, ends) = contour.map_or_else(|| view.ends(edge), |contour| (contour.vertices, contour.ends));
-        let first_face = view.topology.half_edges(edge)[0].face();
-        let is_drawn = ends[0] != ends[1] && scene.is_drawn(view.topology.faces(edge));
-        is_drawn.then(|| Stroke {
+        // The object of the first face that is no mask.
+        let face = view.topology.faces(edge).find(|&face| scene.is_drawn([face]));
+        face.filter(|_| ends[0] != ends[1]).map(|face| Stroke {
             ends,
             vertices,
             source: SegmentSource::Edge(edge),
             kind,
-            object: scene.object_of(first_face),
+            object: scene.object_of(face),
             own: 0..0,
             surface: OnceLock::new(),
         })

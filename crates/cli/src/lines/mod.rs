@@ -18,6 +18,7 @@ use parts::Parts;
 
 use crate::failure::{Failure, note};
 use crate::input;
+use crate::mesh_argument::MeshArgument;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_core::heal::heal_t_junctions;
@@ -25,7 +26,7 @@ use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::origin::common_origin;
 use silhouette_core::{EdgeId, Topology, TriangleMesh, VertexId};
-use silhouette_visibility::plot::{self, PlotError, PlotOptions};
+use silhouette_visibility::plot::{self, Fit, PlotError, PlotOptions};
 use silhouette_visibility::{LineError, LineScene, Lines};
 use std::time::Instant;
 
@@ -47,10 +48,17 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
         let mend = "end the output's name in .svg, .pdf, .dxf or .hpgl";
         return Err(Failure::Input(format!("--views: several views need a page; {mend}")));
     }
+    if arguments.views.views.is_some() && options.sheet.is_some_and(|sheet| sheet.fit == Fit::View) {
+        return Err(Failure::Input(
+            "--views: several views are as large as their lines allow; leave out --fit view".into(),
+        ));
+    }
     if options.fill.is_some() && !format.fills() {
         note("--fill: only SVG, PDF and DXF have fills; nothing is filled");
     }
-    let output = Output::create(arguments.output.as_deref(), &arguments.meshes)?;
+    let masks = arguments.parts.mask.iter().map(|mask| MeshArgument::from(mask.as_str()));
+    let inputs: Vec<MeshArgument> = arguments.meshes.iter().cloned().chain(masks).collect();
+    let output = Output::create(arguments.output.as_deref(), &inputs)?;
     let progress = TerminalProgress::new();
 
     let started = Instant::now();
@@ -58,7 +66,11 @@ fn draw(arguments: &LinesArguments) -> Result<(), Failure> {
     let names = meshes.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
     options.object_names = parts.names().to_vec();
     let bounds = bounds(&meshes, parts.masks(&meshes).as_deref());
-    let bounds = bounds.ok_or_else(|| Failure::Input(format!("{names}: has no face")))?;
+    let bounds = bounds.ok_or_else(|| {
+        let all_masked = meshes.iter().any(|(_, loaded)| loaded.mesh.face_count() > 0);
+        let reason = if all_masked { "--mask hides all that could be drawn; name fewer parts" } else { "has no face" };
+        Failure::Input(format!("{names}: {reason}"))
+    })?;
     let section_edges = section::cut(&mut meshes, arguments.sections(), &names)?;
     let scene = scene_of(&meshes, arguments.wants_materials(), &names)?;
     let scene = scene.with_section_edges(section_edges).map_err(Failure::input)?;
@@ -209,9 +221,12 @@ fn json(
             Some(first)
         })
         .collect();
-    let end_points = |object: u32, edge: EdgeId| {
-        topology.end_points(edge).map(|vertex| VertexId::new(vertex.get() - firsts[object as usize]))
+    // Objects may be parts of meshes, so that the vertex says which mesh it is of.
+    let of_its_mesh = |vertex: VertexId| {
+        let mesh = firsts.partition_point(|&first| first <= vertex.get()) - 1;
+        VertexId::new(vertex.get() - firsts[mesh])
     };
+    let end_points = |edge: EdgeId| topology.end_points(edge).map(of_its_mesh);
     let placement = plot::placement(lines, options).map_err(of_plotting)?;
     let mut bytes = Vec::new();
     plot::write_json(lines, &placement, &end_points, &mut bytes).map_err(Failure::run)?;

@@ -68,6 +68,9 @@ pub fn note_empty(scene: &LineScene, lines: &Lines, drawing: Option<&Drawing>, a
         Some(stats) if stats.dropped.paths > 0 => {
             note(format!("nothing is drawn: each of {} paths is shorter than --min-length", stats.dropped.paths));
         }
+        Some(stats) if stats.repeats > 0 => {
+            note("nothing is drawn: within --tolerance all lines lie on each other; choose a smaller one");
+        }
         // That they are cut off is a note of its own.
         Some(stats) if stats.cut_off > 0.0 => {}
         _ => {

@@ -182,7 +182,7 @@ mod tests {
         assert!(folder.join("images/001-image-precision-difference.png").is_file());
         // The machine is stated once.
         let run: serde_json::Value = serde_json::from_str(&read("run.json")).unwrap();
-        assert_eq!((&run["run"]["cpu"], &run["scene"]["path"]["frames"]), (&"a <processor>".into(), &30.into()));
+        assert_eq!((&run["runs"][0]["cpu"], &run["scene"]["path"]["frames"]), (&"a <processor>".into(), &30.into()));
         assert!([lines, read("results.csv")].iter().all(|text| !text.contains("a <processor>")));
     }
 

@@ -5,6 +5,7 @@ use crate::options::OptionSettings;
 use crate::runner::{CompareConfig, Subject};
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use silhouette_core::TriangleMesh;
 
 /// All that decides what the cells of a comparison are, and what their pictures are worth: two processes with the same key measure
@@ -15,8 +16,8 @@ pub struct Key {
     pub program: [String; 2],
     /// The scene's name.
     pub name: String,
-    /// The scene without its name, with what the command line overrides.
-    pub scene: Scene,
+    /// The scene as a file of it would be, without its name, with what the command line overrides.
+    pub scene: Value,
     /// The methods with their options, in the order of the cells of a mesh.
     pub methods: Vec<MethodKey>,
     /// The meshes, in the order of the cells.
@@ -58,10 +59,18 @@ impl Key {
         Self {
             program: program(),
             name: config.scene().name.clone(),
-            scene: Scene { name: String::new(), ..config.scene().clone() },
+            scene: nameless(config.scene()),
             methods: methods.collect(),
             meshes: meshes.collect(),
         }
+    }
+
+    /// The scene with its name.
+    ///
+    /// # Errors
+    /// What the key was read from held another one.
+    pub fn scene(&self) -> Result<Scene, serde_json::Error> {
+        Ok(Scene { name: self.name.clone(), ..serde_json::from_value(self.scene.clone())? })
     }
 
     /// Number of cells.
@@ -74,6 +83,15 @@ impl Key {
         let text = serde_json::to_vec(self).unwrap_or_default();
         format!("{:08x}", crc32fast::hash(&text))
     }
+}
+
+/// A scene without its name, which a scene's file does not hold.
+fn nameless(scene: &Scene) -> Value {
+    let mut value = serde_json::to_value(scene).unwrap_or_default();
+    if let Value::Object(entries) = &mut value {
+        entries.remove("name");
+    }
+    value
 }
 
 fn contents(mesh: &TriangleMesh) -> [u64; 3] {

@@ -3,7 +3,6 @@
 use super::store::{CellStore, StoreError, difference};
 use crate::registry::{Registry, UnknownMethod};
 use crate::runner::Comparison;
-use crate::scene::Scene;
 use std::path::PathBuf;
 
 /// Why directories do not make a comparison.
@@ -68,7 +67,7 @@ pub fn merge(stores: &[CellStore], registry: &Registry) -> Result<Comparison, Me
             mesh: key.meshes[cell / key.methods.len()].name.clone(),
         });
     }
-    let mut comparison = Comparison::new(Scene { name: key.name.clone(), ..key.scene.clone() });
+    let mut comparison = Comparison::new(key.scene().map_err(|error| first.damaged(&error))?);
     for method in &key.methods {
         comparison.add_method(registry.find(&method.name)?);
     }

@@ -42,7 +42,7 @@ pub enum StoreError {
         difference: &'static str,
     },
     /// A file is damaged, or of another version of this program.
-    #[error("{}: {reason}; remove it, and its cell is measured again", path.display())]
+    #[error("{}: {reason}; remove it and measure again", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -107,6 +107,11 @@ impl CellStore {
     /// The key of its comparison.
     pub fn key(&self) -> &Key {
         &self.key
+    }
+
+    /// The error of a key that holds what it must not.
+    pub(super) fn damaged(&self, error: &serde_json::Error) -> StoreError {
+        StoreError::Damaged { path: self.folder.join(KEY), reason: error.to_string() }
     }
 
     /// Where it is.

@@ -11,8 +11,8 @@ use silhouette_core::view::{Camera, Projection};
 use silhouette_core::{EdgeId, VertexId};
 use std::io::{self, Write};
 
-/// Says between which vertices an edge of an object runs, lower one first.
-pub type EndPoints<'a> = dyn Fn(u32, EdgeId) -> [VertexId; 2] + 'a;
+/// Says between which vertices an edge runs, lower one first, by the numbers that the document is to have.
+pub type EndPoints<'a> = dyn Fn(EdgeId) -> [VertexId; 2] + 'a;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -83,7 +83,7 @@ fn document<'a>(chain: &Chain<'a>, origin: DVec3, end_points: &EndPoints<'_>) ->
     let (mut edges, mut curves, mut intersections) = (Vec::new(), Vec::new(), Vec::new());
     for source in chain.sources {
         match *source {
-            SegmentSource::Edge(edge) => edges.push(end_points(chain.style.object, edge)),
+            SegmentSource::Edge(edge) => edges.push(end_points(edge)),
             SegmentSource::Curve(curve) => curves.push(curve),
             SegmentSource::Intersection(intersection) => intersections.push(intersection),
         }

@@ -128,6 +128,8 @@ pub struct Layer {
     pub views: Vec<(&'static str, Range<usize>)>,
     /// Its place in the file: object, if layers are by object, and rank of its name.
     pub(super) order: (u32, usize),
+    /// What layers are parted by; the outline is a kind of its own.
+    by: LayersBy,
 }
 
 impl Layer {
@@ -137,25 +139,37 @@ impl Layer {
         let (number, label) = match options.layers {
             _ if name == LayerName::Outline => (u64::from(name.number()), name.to_string()),
             LayersBy::Kind => (u64::from(name.number()), name.to_string()),
-            // The outline's number stays free.
-            LayersBy::Object => (u64::from(object) + if object + 1 < OUTLINE { 1 } else { 2 }, called().to_owned()),
+            LayersBy::Object => {
+                // The numbers of the outline and of the fill stay free.
+                let number = u64::from(object) + 1;
+                let skipped = [OUTLINE, FILL - 1].iter().filter(|&&taken| number >= u64::from(taken)).count();
+                (number + skipped as u64, called().to_owned())
+            }
             LayersBy::Both => {
                 let number = (u64::from(object) + 1) * PER_OBJECT + u64::from(name.number());
                 (number, format!("{} {name}", called()))
             }
         };
-        Self { name, number, label, pen, paths: Paths::default(), views: Vec::new(), order: (object, rank) }
+        let by = if name == LayerName::Outline { LayersBy::Kind } else { options.layers };
+        Self { name, number, label, pen, paths: Paths::default(), views: Vec::new(), order: (object, rank), by }
     }
 
     /// An identifier of the file's layer, such as `silhouette-visible`; `layer-2` and so on where layers are by object.
     pub fn id(&self) -> String {
-        if self.label == self.name.to_string() { self.name.id() } else { format!("layer-{}", self.number) }
+        if self.by == LayersBy::Kind { self.name.id() } else { format!("layer-{}", self.number) }
     }
 
     /// An identifier of what one pen draws in the file's layer: that of the layer, with its own name where the layer has several.
     pub(super) fn entry_id(&self) -> String {
-        let (id, of_kind) = (self.id(), self.name.id());
-        if id.ends_with(&of_kind) { id } else { format!("{id}-{of_kind}") }
+        if self.by == LayersBy::Kind { self.id() } else { format!("{}-{}", self.id(), self.name.id()) }
+    }
+
+    /// What a format calls it whose layers have one pen each.
+    pub(super) fn entry_label(&self) -> String {
+        match self.by {
+            LayersBy::Object => format!("{} {} {}", self.number, self.label, self.name),
+            LayersBy::Kind | LayersBy::Both => format!("{} {}", self.number, self.label),
+        }
     }
 
     /// The pen's width in a unit.

@@ -211,8 +211,8 @@ fn place_layers(lines: &Lines, options: &PlotOptions, placement: &Placement, sta
         chains_of.entry((object, rank)).or_default().push(index);
     }
     if !lines.outline.rings.is_empty() {
-        let last = chains_of.keys().next_back().map_or(0, |(object, _)| *object);
-        chains_of.insert((last, names.len() - 1), Vec::new());
+        // After all objects, in each of several views.
+        chains_of.insert((u32::MAX, names.len() - 1), Vec::new());
     }
     let mut layers = Vec::new();
     for (order, chains) in chains_of {
@@ -283,7 +283,9 @@ fn prepare(layer: &Layer, options: &PlotOptions) -> Prepared {
     let joined = if is_outline { layer.paths.clone() } else { join::join(&layer.paths) };
     let tolerance = options.merge_tolerance.to(unit) * if options.curves { 0.5 } else { 1.0 };
     let merged = merge::merge(&joined, tolerance);
-    let drops_covered = options.dedupe && !is_outline && !layer.name.is_hidden();
+    // Gaps of a pattern cover nothing, and neither does what lies past the end of a butt stroke.
+    let is_solid = layer.pen.dash.is_none() && options.cap != Cap::Butt;
+    let drops_covered = options.dedupe && is_solid && !is_outline && !layer.name.is_hidden();
     let (uncovered, covered) =
         if drops_covered { cover::drop_covered(&merged, layer.width(unit)) } else { (merged, Dropped::default()) };
     let (kept, dropped) = drop_short::drop_short(&uncovered, options.min_length.to(unit));

@@ -82,7 +82,7 @@ impl Drawing {
 
     /// The names of the groups, the fill's first.
     fn group_names(&self) -> impl Iterator<Item = String> {
-        let layers = self.layers.iter().map(|layer| format!("{} {}", layer.number, layer.label));
+        let layers = self.layers.iter().map(Layer::entry_label);
         self.fill.iter().map(|_| "fill".to_owned()).chain(layers)
     }
 

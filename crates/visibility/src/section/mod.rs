@@ -283,7 +283,7 @@ impl<'a> Cutter<'a> {
         edges.sort_unstable();
         edges.dedup();
         Ok(SectionedMesh {
-            mesh: TriangleMesh::new(self.positions, self.triangles)?,
+            mesh: TriangleMesh::new(self.positions, self.triangles)?.with_origin(self.source.mesh.origin()),
             face_of: self.face_of,
             edges: edges.into_iter().map(|ends| ends.map(VertexId::new)).collect(),
         })

@@ -19,8 +19,8 @@ pub struct PartArguments {
     /// The view is fitted to what is drawn
     #[arg(long, value_name = "NAME|FILE")]
     pub mask: Vec<String>,
-    /// What the layers of the file are: kinds of line, parts, or the kinds of each part. Each kind and each part has the same number
-    /// in every file
+    /// What the layers of the file are: kinds of line, parts, or the kinds of each part. In SVG and PDF each kind and each part has the
+    /// same number in every file
     #[arg(long, value_enum, value_name = "BY", default_value_t = LayersArgument::Kind)]
     pub layers: LayersArgument,
 }
@@ -29,7 +29,7 @@ pub struct PartArguments {
 pub enum LayersArgument {
     /// One layer per kind of line, visible and hidden apart
     Kind,
-    /// One layer per part, all its kinds in it
+    /// One layer per part, all its kinds in it; PDF, DXF and HP-GL, whose layers have one pen each: one per kind of each part
     Object,
     /// One layer per kind of each part
     Both,

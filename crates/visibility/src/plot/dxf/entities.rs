@@ -49,6 +49,11 @@ fn spline(groups: &mut Groups<'_>, layer: &str, path: Path<'_>) -> io::Result<()
     Ok(())
 }
 
+/// Whether a fill is more than points and lines in the file.
+pub fn fills_something(fill: &Fill) -> bool {
+    fill.paths.iter().any(encloses_something)
+}
+
 /// What is filled, as one solid hatch with a boundary for each ring.
 pub fn hatch(groups: &mut Groups<'_>, layer: &str, fill: &Fill) -> io::Result<()> {
     const POLYLINE: &str = "2";

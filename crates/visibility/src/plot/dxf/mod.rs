@@ -36,22 +36,21 @@ impl Drawing {
     /// Those of `out`.
     pub fn write_dxf(&self, out: &mut dyn Write) -> io::Result<()> {
         let mm = self.placement.mm();
-        let fill =
-            self.fill.iter().map(|fill| LayerRecord { name: FILL.to_owned(), colour: fill.colour, width_mm: 0.0 });
+        let filled = self.fill.as_ref().filter(|fill| entities::fills_something(fill));
+        let fill = filled.iter().map(|fill| LayerRecord { name: FILL.to_owned(), colour: fill.colour, width_mm: 0.0 });
         let strokes = self.layers.iter().map(|layer| LayerRecord {
             name: layer.entry_id(),
             colour: layer.pen.colour,
             width_mm: layer.width(Unit::Mm),
         });
         let records: Vec<LayerRecord> = fill.chain(strokes).collect();
-        let entities =
-            self.layers.iter().map(|layer| layer.paths.len()).sum::<usize>() + usize::from(self.fill.is_some());
+        let entities = self.layers.iter().map(|layer| layer.paths.len()).sum::<usize>() + usize::from(filled.is_some());
         let height = self.placement.height;
 
         let mut groups = Groups::new(mm, height, out);
         frame::head(&mut groups, [self.placement.width, height], &records, entities)?;
         groups.section("ENTITIES")?;
-        if let Some(fill) = &self.fill {
+        if let Some(fill) = filled {
             entities::hatch(&mut groups, FILL, fill)?;
         }
         for layer in &self.layers {
