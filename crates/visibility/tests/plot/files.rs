@@ -183,7 +183,7 @@ fn json_has_what_was_found() {
     let found = lines_of(orthographic(), &house());
     let place = placement(&found, &PlotOptions::default()).unwrap();
     let end_points =
-        |edge: silhouette_core::EdgeId| [VertexId::new(object + edge.get()), VertexId::new(edge.get() + 1)];
+        |edge: silhouette_core::EdgeId| [VertexId::new(edge.get()), VertexId::new(edge.get() + 1)];
     let mut bytes = Vec::new();
     write_json(&found, &place, &end_points, &mut bytes).unwrap();
     let document: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
