@@ -57,17 +57,20 @@ fn summary(name: &str, found: &Inspection, notes: &[String]) -> String {
     ];
     row("surface", kinds.join(", "));
     if found.inside_out_faces > 0 {
-        row("inside out", format!("{} of {} faces; --orient turns them", found.inside_out_faces, found.faces));
+        row(
+            "inside out",
+            format!(
+                "{} of {} faces; --orient, of the commands that draw, turns them",
+                found.inside_out_faces, found.faces
+            ),
+        );
     }
     if found.cavities > 0 {
         row("cavities", format!("{}, whose walls rightly point inward", found.cavities));
     }
     if let Some(seams) = found.seams {
         let weld = if seams.distance == 0.0 { "--weld".to_owned() } else { format!("--weld={}", seams.distance) };
-        row(
-            "seams",
-            format!("{} of {} boundary edges; {weld} closes them", seams.boundary_edges, found.boundary_edges),
-        );
+        row("seams", format!("{} of {} boundary edges; lines {weld} closes them", seams.edges, found.boundary_edges));
     }
     if let Some(junctions) = found.t_junctions {
         let TJunctions { edges, largest_distance } = junctions;

@@ -129,8 +129,8 @@ fn dividers(mesh: &TriangleMesh, boundary: &[HalfEdgeId], distance: f64) -> Hash
     };
     let lengths = boundary.iter().map(|&half_edge| length(half_edge));
     let (sum, longest) = lengths.fold((0.0, 0.0), |(sum, longest), length| (sum + length, f64::max(longest, length)));
-    // Cells of the mean edge's size: an edge passes few, and few vertices share one.
-    let side = (sum / boundary.len().max(1) as f64).max(longest / MOST_CELLS).max(4.0 * distance);
+    // Cells of the mean edge's size: an edge passes few, and few vertices share one. No coordinate is so large that a cell has no number.
+    let side = (sum / boundary.len().max(1) as f64).max(longest * LEAST_CELL).max(4.0 * distance);
     let mut vertices: Vec<u32> = boundary.iter().flat_map(|&half_edge| ends(half_edge)).collect();
     vertices.sort_unstable();
     vertices.dedup();
@@ -146,22 +146,28 @@ fn dividers(mesh: &TriangleMesh, boundary: &[HalfEdgeId], distance: f64) -> Hash
         let (along, length) = (to - from, from.distance(to));
         found.clear();
         // Points half a cell apart have all cells near the edge among their neighbours.
-        let steps = (2.0 * length / side).ceil().max(1.0) as u32;
-        for step in 0..=steps {
-            let [x, y, z] = cell(from.lerp(to, f64::from(step) / f64::from(steps)));
-            for neighbour in 0..27 {
-                let near = [x + neighbour % 3 - 1, y + neighbour / 3 % 3 - 1, z + neighbour / 9 - 1];
-                for &vertex in grid.get(&near).into_iter().flatten() {
-                    let point = place(vertex);
-                    let share = (point - from).dot(along) / (length * length);
-                    let is_inside = share > 0.0
-                        && share < 1.0
-                        && point.distance(from) > distance
-                        && point.distance(to) > distance
-                        && !corners.contains(&vertex);
-                    if is_inside && (point - from).cross(along).length() <= distance * length {
-                        found.push((share, vertex));
-                    }
+        let steps = (2.0 * length / side).ceil().max(1.0);
+        let mut look_at = |vertex: u32| {
+            let point = place(vertex);
+            let share = (point - from).dot(along) / (length * length);
+            let is_inside = share > 0.0
+                && share < 1.0
+                && point.distance(from) > distance
+                && point.distance(to) > distance
+                && !corners.contains(&vertex);
+            if is_inside && (point - from).cross(along).length() <= distance * length {
+                found.push((share, vertex));
+            }
+        };
+        if 27.0 * steps > vertices.len() as f64 {
+            // An edge far longer than most.
+            vertices.iter().for_each(|&vertex| look_at(vertex));
+        } else {
+            for step in 0..=steps as u32 {
+                let [x, y, z] = cell(from.lerp(to, f64::from(step) / steps));
+                for neighbour in 0..27 {
+                    let near = [x + neighbour % 3 - 1, y + neighbour / 3 % 3 - 1, z + neighbour / 9 - 1];
+                    grid.get(&near).into_iter().flatten().for_each(|&vertex| look_at(vertex));
                 }
             }
         }
@@ -174,8 +180,8 @@ fn dividers(mesh: &TriangleMesh, boundary: &[HalfEdgeId], distance: f64) -> Hash
     dividers
 }
 
-/// Cells that the longest edge passes, at most.
-const MOST_CELLS: f64 = 4096.0;
+/// The least side of a cell as a share of the longest edge.
+const LEAST_CELL: f64 = 1e-9;
 
 /// Appends the parts of a triangle that has vertices on its sides: fans from the corner opposite of one side, of which the
 /// first and the last part have the other two.

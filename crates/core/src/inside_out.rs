@@ -39,7 +39,7 @@ pub(crate) struct Parts<'a> {
     parts: Vec<Part>,
 }
 
-/// A part that points inward, and rightly so.
+/// What a part is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Verdict {
     /// Whether it is inside out.

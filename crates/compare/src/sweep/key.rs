@@ -6,7 +6,7 @@ use crate::runner::{CompareConfig, Subject};
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use silhouette_core::TriangleMesh;
+use silhouette_core::{TriangleMesh, VertexId};
 
 /// All that decides what the cells of a comparison are, and what their pictures are worth: two processes with the same key measure
 /// the same cells. What decides times alone is not in it.
@@ -38,7 +38,7 @@ pub struct MethodKey {
 pub struct MeshKey {
     /// Its name.
     pub name: String,
-    /// Vertices, faces and a checksum of both.
+    /// Vertices, faces and a checksum of both and of the feature edges.
     pub drawn: [u64; 3],
     /// The same of what filled pictures are measured against, where that is another mesh.
     pub truth: Option<[u64; 3]>,
@@ -53,8 +53,8 @@ impl Key {
         });
         let meshes = subjects.iter().map(|subject| MeshKey {
             name: subject.mesh.name.clone(),
-            drawn: contents(subject.mesh.mesh.mesh()),
-            truth: subject.truth.as_deref().map(contents),
+            drawn: contents(subject.mesh.mesh.mesh(), subject.mesh.mesh.feature_edges()),
+            truth: subject.truth.as_deref().map(|mesh| contents(mesh, &[])),
         });
         Self {
             program: program(),
@@ -94,13 +94,16 @@ fn nameless(scene: &Scene) -> Value {
     value
 }
 
-fn contents(mesh: &TriangleMesh) -> [u64; 3] {
+fn contents(mesh: &TriangleMesh, feature_edges: &[[VertexId; 2]]) -> [u64; 3] {
     let mut hasher = crc32fast::Hasher::new();
     for position in mesh.positions() {
         position.to_array().iter().for_each(|value| hasher.update(&value.to_le_bytes()));
     }
     for triangle in mesh.triangles() {
         triangle.iter().for_each(|vertex| hasher.update(&vertex.to_le_bytes()));
+    }
+    for edge in feature_edges {
+        edge.iter().for_each(|vertex| hasher.update(&vertex.get().to_le_bytes()));
     }
     [mesh.vertex_count() as u64, mesh.face_count() as u64, hasher.finalize().into()]
 }

@@ -23,7 +23,8 @@ pub struct ParseShardError {
 }
 
 /// The variables that Slurm sets for each job of an array.
-const SLURM: [&str; 3] = ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_COUNT"];
+const SLURM: [&str; 4] =
+    ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", "SLURM_ARRAY_TASK_COUNT"];
 
 impl Shard {
     /// All cells.
@@ -39,12 +40,17 @@ impl Shard {
     /// # Errors
     /// [`ParseShardError`]: the numbers leave gaps, as `--array=0-10:2` does, or are no numbers.
     pub fn of_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Option<Self>, ParseShardError> {
-        let [id, first, count] = SLURM.map(variable);
+        let [id, first, last, count] = SLURM.map(variable);
         let (Some(id), Some(count)) = (id, count) else { return Ok(None) };
         let first = first.unwrap_or_else(|| "0".to_owned());
         let shard = || {
-            let index = id.parse::<u32>().ok()?.checked_sub(first.parse().ok()?)?;
-            Self::new(index, count.parse().ok()?)
+            let (first, count) = (first.parse().ok()?, count.parse().ok()?);
+            // With gaps the numbers reach farther than there are jobs.
+            let reach = last
+                .as_ref()
+                .map_or(Some(count), |last| last.parse::<u32>().ok()?.checked_sub(first)?.checked_add(1))?;
+            let index = id.parse::<u32>().ok()?.checked_sub(first)?;
+            Self::new(index, count).filter(|_| reach == count)
         };
         let text = || format!("job {id} of an array of {count} from {first} on");
         shard().map(Some).ok_or_else(|| ParseShardError { text: text() })
@@ -100,14 +106,16 @@ mod tests {
 
     #[test]
     fn slurm_numbers_jobs_from_anywhere() {
-        let job = |id: &str, first: &str, count: &str| {
-            let values = [id, first, count].map(str::to_owned);
+        let job = |id: &str, first: &str, last: &str, count: &str| {
+            let values = [id, first, last, count].map(str::to_owned);
             Shard::of_slurm(|name| SLURM.iter().position(|&known| known == name).map(|at| values[at].clone()))
         };
-        assert_eq!(job("0", "0", "4"), Ok(Some("1/4".parse().unwrap())));
-        assert_eq!(job("13", "10", "4"), Ok(Some("4/4".parse().unwrap())));
-        assert!(job("8", "0", "4").is_err(), "numbers with gaps");
-        assert!(job("x", "0", "4").is_err());
+        assert_eq!(job("0", "0", "3", "4"), Ok(Some("1/4".parse().unwrap())));
+        assert_eq!(job("13", "10", "13", "4"), Ok(Some("4/4".parse().unwrap())));
+        for gap in ["0", "2", "8"] {
+            assert!(job(gap, "0", "10", "6").is_err(), "numbers with gaps");
+        }
+        assert!(job("x", "0", "3", "4").is_err());
         assert_eq!(Shard::of_slurm(|_| None), Ok(None));
     }
 }

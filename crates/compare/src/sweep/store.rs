@@ -7,9 +7,11 @@ use crate::record::Cell;
 use crate::runner::{LeftOut, Outcome, PictureSet};
 use serde::{Deserialize, Serialize};
 use silhouette_render::Image;
+use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// A directory of the finished cells of one comparison: `sweep.json` holds its [`Key`], `0007.json` with three pictures each cell.
 ///
@@ -41,7 +43,15 @@ pub enum StoreError {
         /// What differs.
         difference: &'static str,
     },
-    /// A file is damaged, or of another version of this program.
+    /// What the directory says of its cells is damaged, or of another version of this program.
+    #[error("{}: {reason}; remove the directory, or name another", path.display())]
+    Key {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A file of a cell is damaged.
     #[error("{}: {reason}; remove it and measure again", path.display())]
     Damaged {
         /// The file.
@@ -80,18 +90,25 @@ impl CellStore {
     pub fn open(folder: &Path, key: Key) -> Result<Self, StoreError> {
         fs::create_dir_all(folder).map_err(at(folder))?;
         let path = folder.join(KEY);
-        if path.exists() {
-            let found = read_key(folder)?;
-            if let Some(difference) = difference(&found, &key) {
-                return Err(StoreError::OtherKey { path: folder.to_owned(), difference });
-            }
-        } else {
-            let others = fs::read_dir(folder).map_err(at(folder))?.next().is_some();
-            if others {
+        if !path.exists() {
+            let others = fs::read_dir(folder).map_err(at(folder))?.flatten().any(|entry| !is_part(&entry.file_name()));
+            // Another process may have made it just now.
+            if others && !path.exists() {
                 return Err(StoreError::NotOurs { path: folder.to_owned() });
             }
             let text = serde_json::to_vec_pretty(&key).map_err(|error| at(&path)(error.into()))?;
-            write_whole(&path, &text)?;
+            // Of several processes that begin at once, one is the first.
+            let file = part(&path, &text)?;
+            match file.persist_noclobber(&path) {
+                Err(error) if error.error.kind() != io::ErrorKind::AlreadyExists => {
+                    return Err(at(&path)(error.error.kind().into()));
+                }
+                _ => {}
+            }
+        }
+        let found = read_key(folder)?;
+        if let Some(difference) = difference(&found, &key) {
+            return Err(StoreError::OtherKey { path: folder.to_owned(), difference });
         }
         Ok(Self { folder: folder.to_owned(), key })
     }
@@ -111,7 +128,7 @@ impl CellStore {
 
     /// The error of a key that holds what it must not.
     pub(super) fn damaged(&self, error: &serde_json::Error) -> StoreError {
-        StoreError::Damaged { path: self.folder.join(KEY), reason: error.to_string() }
+        StoreError::Key { path: self.folder.join(KEY), reason: error.to_string() }
     }
 
     /// Where it is.
@@ -122,6 +139,13 @@ impl CellStore {
     /// Whether a cell is finished.
     pub fn holds(&self, cell: usize) -> bool {
         self.json(cell).exists()
+            && (PICTURES.iter().all(|name| self.picture(cell, name).exists()) || self.is_left_out(cell))
+    }
+
+    /// Whether a cell is finished and has no pictures, since its method is not defined for its mesh.
+    fn is_left_out(&self, cell: usize) -> bool {
+        let file = fs::read(self.json(cell)).ok().and_then(|text| serde_json::from_slice::<CellFile>(&text).ok());
+        file.is_some_and(|file| file.left_out.is_some())
     }
 
     /// Number of finished cells.
@@ -188,6 +212,12 @@ impl CellStore {
                 remove_file(&path)?;
             }
         }
+        // What a process that was killed was writing.
+        for entry in fs::read_dir(&self.folder).map_err(at(&self.folder))?.flatten() {
+            if is_part(&entry.file_name()) {
+                remove_file(&entry.path())?;
+            }
+        }
         remove_file(&self.folder.join(KEY))?;
         match fs::remove_dir(&self.folder) {
             Err(error) if error.kind() != io::ErrorKind::DirectoryNotEmpty => Err(at(&self.folder)(error)),
@@ -231,7 +261,7 @@ fn read_key(folder: &Path) -> Result<Key, StoreError> {
         }
         other => other.map_err(at(&path))?,
     };
-    let damaged = |error: serde_json::Error| StoreError::Damaged { path: path.clone(), reason: error.to_string() };
+    let damaged = |error: serde_json::Error| StoreError::Key { path: path.clone(), reason: error.to_string() };
     serde_json::from_slice(&text).map_err(damaged)
 }
 
@@ -250,19 +280,31 @@ pub(super) fn difference(one: &Key, other: &Key) -> Option<&'static str> {
     }
 }
 
+/// How files are named that are being written.
+const PART: [&str; 2] = [".cell-", ".part"];
+
+fn is_part(name: &OsStr) -> bool {
+    name.to_str().is_some_and(|name| name.starts_with(PART[0]) && name.ends_with(PART[1]))
+}
+
 /// Writes a file beside its place and moves it there.
 fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
+    part(path, bytes)?.persist(path).map_err(|error| at(path)(error.error.kind().into()))?;
+    Ok(())
+}
+
+/// A file beside its place, written.
+fn part(path: &Path, bytes: &[u8]) -> Result<NamedTempFile, StoreError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".cell-").suffix(".part");
+    builder.prefix(PART[0]).suffix(PART[1]);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     // The text of an error about a temporary file names that file, of which nobody has heard.
     let failed = |error: io::Error| at(path)(error.kind().into());
     let mut file = builder.tempfile_in(folder).map_err(failed)?;
     file.write_all(bytes).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    Ok(file)
 }
 
 fn remove_file(path: &Path) -> Result<(), StoreError> {

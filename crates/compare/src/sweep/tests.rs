@@ -133,12 +133,43 @@ fn a_process_that_was_killed_leaves_no_half_of_a_cell() {
     assert!(!store.holds(1) && store.count() == 1);
     store.put(1, &sample::run(), &outcome(1)).unwrap();
     assert!(store.read(1).is_ok());
+    // A cell whose picture was lost is no cell.
+    std::fs::remove_file(folder.path().join("0001-truth.png")).unwrap();
+    assert!(!store.holds(1));
+    store.put(1, &sample::run(), &outcome(1)).unwrap();
+    assert!(store.holds(1) && store.read(1).is_ok());
     // A file that is damaged afterwards names itself.
     std::fs::write(folder.path().join("0000.json"), "{").unwrap();
     let error = store.read(0).unwrap_err();
     assert!(matches!(error, StoreError::Damaged { .. }) && error.to_string().contains("0000.json"), "{error}");
     std::fs::copy(folder.path().join("0001.json"), folder.path().join("0002.json")).unwrap();
     assert!(matches!(store.read(2), Err(StoreError::Damaged { .. })), "the file of another cell");
+}
+
+#[test]
+fn what_a_killed_process_was_writing_is_in_nobody_s_way() {
+    let folder = tempfile::tempdir().unwrap();
+    let cells = folder.path().join("cells");
+    std::fs::create_dir(&cells).unwrap();
+    std::fs::write(cells.join(".cell-abc.part"), "half").unwrap();
+    let store = store(&cells, &[0]);
+    store.remove().unwrap();
+    assert!(!cells.exists());
+}
+
+#[test]
+fn processes_that_begin_at_once_share_a_directory() {
+    let folder = tempfile::tempdir().unwrap();
+    for round in 0..20 {
+        let cells = folder.path().join(round.to_string());
+        std::thread::scope(|scope| {
+            for cell in 0..4 {
+                let cells = &cells;
+                scope.spawn(move || store(cells, &[cell]));
+            }
+        });
+        assert_eq!(CellStore::existing(&cells).unwrap().count(), 4);
+    }
 }
 
 #[test]

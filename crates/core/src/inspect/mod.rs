@@ -18,7 +18,6 @@ mod fans;
 mod folds;
 mod measure;
 mod patches;
-mod seams;
 mod vertices;
 
 #[cfg(test)]
@@ -29,13 +28,14 @@ pub use components::Component;
 pub use defects::{Defects, EdgeDefect};
 pub use faces::has_zero_area;
 pub use measure::{EdgeLengths, Extent, SmallestAngle};
-pub use seams::Seams;
 
 use crate::heal::{TJunctions, find_t_junctions};
 use crate::id::{EdgeId, HalfEdgeId};
 use crate::inside_out::Parts;
 use crate::mesh::TriangleMesh;
+use crate::seams::OpenSeams;
 use crate::topology::Topology;
+use crate::weld::weld_exact;
 
 /// What [`inspect`] found. Plain data: serialise it, or print its fields.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -61,7 +61,7 @@ pub struct Inspection {
     /// Closed parts that are walls of cavities, which rightly point inward.
     pub cavities: usize,
     /// Boundary edges that welding would join; `None` if there are none.
-    pub seams: Option<Seams>,
+    pub seams: Option<OpenSeams>,
     /// Vertices on boundary edges that they do not divide, once seams of distance 0 are closed; `None` if there are none.
     pub t_junctions: Option<TJunctions>,
     /// Referenced vertices - edges + faces.
@@ -103,8 +103,10 @@ pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
     let (seams, t_junctions) = if boundary_loops.is_empty() {
         (None, None)
     } else {
-        let (seams, welded, topology) = Seams::of(sides);
-        (seams, find_t_junctions(&welded, &topology))
+        let seams = OpenSeams::of(mesh, topology);
+        let welded = weld_exact(mesh).mesh;
+        let t_junctions = find_t_junctions(&welded, &Topology::new(&welded));
+        (Some(seams).filter(|seams| seams.edges > 0), t_junctions)
     };
     let (inside_out_faces, cavities) = Parts::new(mesh, topology).count();
     let edges = components.iter().map(|component| component.edges).sum::<usize>();

@@ -182,8 +182,7 @@ fn gltf_has_a_node_a_layer_and_every_segment() {
 fn json_has_what_was_found() {
     let found = lines_of(orthographic(), &house());
     let place = placement(&found, &PlotOptions::default()).unwrap();
-    let end_points =
-        |edge: silhouette_core::EdgeId| [VertexId::new(edge.get()), VertexId::new(edge.get() + 1)];
+    let end_points = |edge: silhouette_core::EdgeId| [VertexId::new(edge.get()), VertexId::new(edge.get() + 1)];
     let mut bytes = Vec::new();
     write_json(&found, &place, &end_points, &mut bytes).unwrap();
     let document: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
