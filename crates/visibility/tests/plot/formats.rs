@@ -26,7 +26,7 @@ fn everything(unit: Unit) -> Drawing {
     let mut options =
         PlotOptions { unit, hidden: Hidden::Solid, fill: Some(Colour([250, 240, 10])), ..PlotOptions::default() };
     options.pens.of_mut(LineKind::Silhouette).colour = Colour([255, 0, 1]);
-    options.pens.of_mut(LineKind::Ridge).width = Length::mm(0.22);
+    options.pens.of_hidden_mut(LineKind::Ridge).width = Length::mm(0.22);
     plot(&lines, &options, &NoProgress).unwrap()
 }
 
@@ -211,7 +211,7 @@ fn pdf_holds_a_page_of_the_size_with_groups_of_paths() {
         let names: Vec<&str> = names.map(|group| group.split('(').nth(1).unwrap().split(')').next().unwrap()).collect();
         assert_eq!(
             names,
-            ["fill", "1 ridge hidden", "2 curve visible", "3 silhouette visible", "4 section visible", "5 outline"]
+            ["fill", "23 ridge hidden", "7 curve visible", "1 silhouette visible", "9 section visible", "40 outline"]
         );
 
         let content = objects.iter().find(|object| object.contains("stream")).unwrap();
