@@ -83,6 +83,9 @@ pub struct MeshRecord {
     pub faces: usize,
     /// Number of edges.
     pub edges: usize,
+    /// Number of faces that are wound inwards, for which methods that depend on winding draw what is hidden.
+    #[serde(default)]
+    pub inward_faces: usize,
 }
 
 /// A camera, as far as needed to set it up again.
@@ -193,7 +196,7 @@ pub(crate) mod tests {
     pub(crate) fn cell(mesh: &str, method: &str, frame_ms: f64, chamfer_px: f64) -> Cell {
         let spread = |median: f64| Spread { median, p95: median * 2.0, max: median * 3.0 };
         Cell {
-            mesh: MeshRecord { name: mesh.to_owned(), vertices: 4, faces: 4, edges: 6 },
+            mesh: MeshRecord { name: mesh.to_owned(), vertices: 4, faces: 4, edges: 6, inward_faces: 0 },
             method: method.to_owned(),
             options: OptionSettings::default(),
             picture: PictureKind::Lines,

@@ -98,6 +98,7 @@ fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>
         vertices => grouped(summary.mesh.vertices),
         edges => grouped(summary.mesh.edges),
         faces => grouped(summary.mesh.faces),
+        inward => (summary.mesh.inward_faces > 0).then(|| grouped(summary.mesh.inward_faces)),
         visible_length => format!("{:.0}", summary.visible_length_px),
         kinds => PictureKind::ALL.into_iter().filter_map(section).collect::<Vec<_>>(),
         coherence => coherence_table::rows(summary, color),
@@ -279,6 +280,14 @@ mod tests {
         assert!(page.contains("&lt;img src=x onerror=alert(1)&gt;"));
         assert!(page.contains("{{ 7*7 }}"), "names are not templates");
         assert!(page.contains("a &lt;processor&gt;"));
+    }
+
+    #[test]
+    fn faces_wound_inwards_are_stated_beside_what_was_drawn() {
+        let mut comparison = comparison();
+        assert!(!rendered(&comparison).contains("wound inwards, so that methods"));
+        comparison.cells.iter_mut().for_each(|cell| cell.mesh.inward_faces = 12);
+        assert!(rendered(&comparison).contains("12 faces are wound inwards, so that methods"));
     }
 
     #[test]

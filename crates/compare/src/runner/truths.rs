@@ -74,6 +74,7 @@ impl<'a> Truths<'a> {
             vertices: mesh.mesh().vertex_count(),
             faces: mesh.mesh().face_count(),
             edges: finder.edge_count(),
+            inward_faces: finder.inward_faces(),
         };
         Ok(Self { subject, mesh, finder, views, facts, rays: OnceLock::new(), pens: HashMap::new(), fills: Vec::new() })
     }

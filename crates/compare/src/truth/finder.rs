@@ -129,6 +129,11 @@ impl TruthFinder {
         Ok(ViewFacts::new(&self.seen(&truth.camera), &truth.lines, outline.as_ref(), &chains, reach_px))
     }
 
+    /// Number of faces of the mesh that are wound inwards.
+    pub fn inward_faces(&self) -> usize {
+        self.facts.inward_faces()
+    }
+
     /// Number of edges of the mesh.
     pub fn edge_count(&self) -> usize {
         self.topology.edge_count()

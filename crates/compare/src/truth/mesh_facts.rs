@@ -95,6 +95,11 @@ impl MeshFacts {
         Self { kinds, is_wrongly_wound, is_inward, is_open }
     }
 
+    /// Number of faces that are wound inwards.
+    pub fn inward_faces(&self) -> usize {
+        self.is_inward.iter().filter(|&&is_inward| is_inward).count()
+    }
+
     /// Which kind of line an edge is.
     pub fn kind(&self, edge: EdgeId) -> EdgeKind {
         self.kinds[edge.index()]
