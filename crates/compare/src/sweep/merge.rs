@@ -27,7 +27,7 @@ pub enum MergeError {
     },
     /// Some cells are in no directory.
     #[error(
-        "{missing} of {cells} cells are missing, the first of {method} on {mesh}; run their shards again, then merge"
+        "cells are missing, {missing} of {cells}, the first of {method} on {mesh}; run their shards again, then merge"
     )]
     Missing {
         /// How many.
