@@ -41,7 +41,11 @@ fn inside_out_parts_are_noted_where_it_matters_and_turned_on_demand() {
     let [mesh, svg] = [&mesh, &svg].map(|path| path.to_str().unwrap());
 
     let text = String::from_utf8(run(&["inspect", mesh]).stdout).unwrap();
-    assert!(text.contains("12 of 24 faces; --orient, of the commands that draw, turns them") && text.contains("no other defects"), "{text}");
+    assert!(
+        text.contains("12 of 24 faces; --orient, of the commands that draw, turns them")
+            && text.contains("no other defects"),
+        "{text}"
+    );
     let turned = notes(&run(&["lines", mesh, "--orient", "-o", svg]));
     assert!(turned.contains("12 of 24 faces were turned"), "{turned}");
     assert_eq!(notes(&run(&["lines", mesh, "-o", svg])), "", "lines are right either way");

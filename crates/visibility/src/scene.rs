@@ -118,7 +118,7 @@ impl LineScene {
 
     /// Several meshes in one space, each an object of its own. Ids of edges and faces are those of the meshes set one after
     /// another. Meshes that count from different [origins](TriangleMesh::origin) are placed right relative to each other, and
-    /// count from a [common one](common_origin), which that of the scene's mesh then is: cameras must do so, too. O(V + F).
+    /// count from a [common one](silhouette_core::origin::common_origin), which that of the scene's mesh then is: cameras must do so, too. O(V + F).
     ///
     /// # Errors
     /// [`SceneError::Mesh`] if together they are too large.
