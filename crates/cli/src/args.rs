@@ -65,7 +65,7 @@ pub enum Command {
         silhouettes lines part.stl --ortho fit --view front --creases 30 -o part.dxf\n  \
         silhouettes lines part.stl --section 0,0,5,0,0,1 --view iso --creases 30 --fill '#eee' -o open.pdf\n\n\
         Kinds: section, silhouette, boundary, ridge, valley, material, intersection, curve (with --smooth), mesh; for pens also outline.\n\
-        An edge of several kinds has the first of them. SVG: one Inkscape layer a kind, visible and hidden apart; PDF: an optional\n\
+        An edge of several kinds has the first of them. SVG: one Inkscape layer per kind, visible and hidden apart; PDF: an optional\n\
         content group; DXF (of AutoCAD 2004, in millimetres, y up): a layer such as silhouette-visible; HP-GL: a pen, numbered from 1.\n\
         SVG, PDF and DXF hold curves, HP-GL chords within 1/80 mm.\n\
         JSON: {\"camera\", \"size\", \"page\", \"chains\": [{\"kind\", \"visible\", \"invisibility\", \"object\", \"closed\",\n\

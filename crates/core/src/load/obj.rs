@@ -10,7 +10,7 @@ use super::assembly::{Assembly, LabelledMesh};
 use super::error::{Located, Problem};
 use super::feature_edges::FeatureEdges;
 use super::lines::{Lines, Words};
-use super::parts::PartRows;
+use super::parts::{PartRows, words_of};
 use super::placing::Placing;
 use super::steps::Steps;
 use std::collections::HashMap;
@@ -80,15 +80,8 @@ const GROUPS: usize = 1;
 
 impl Sorts {
     /// Changes the material or the groups to what a row names.
-    fn name(&mut self, which: usize, mut words: Words<'_>) {
-        let mut of_row = Vec::new();
-        while !words.is_empty() {
-            let word = words.word();
-            if word.starts_with(b"#") {
-                break;
-            }
-            of_row.push(word);
-        }
+    fn name(&mut self, which: usize, words: Words<'_>) {
+        let mut of_row = words_of(words);
         if which == GROUPS {
             // A set of names, in any order; this one stands for none.
             of_row.sort_unstable();

@@ -137,7 +137,7 @@ impl PartRows {
 }
 
 /// The words of a row up to a comment.
-fn words_of(mut words: Words<'_>) -> Vec<&[u8]> {
+pub(super) fn words_of(mut words: Words<'_>) -> Vec<&[u8]> {
     let mut of_row = Vec::new();
     while !words.is_empty() {
         let word = words.word();

@@ -32,7 +32,7 @@ const SAMPLE: usize = 4096;
 /// degrees.
 const SHORT: f64 = 64.0;
 
-/// One side in so many must be short for its mesh's user to be told.
+/// One side in so many must be short to be worth a note.
 const SHORT_SIDES: usize = 1000;
 
 impl Placing {

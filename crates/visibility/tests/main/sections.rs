@@ -231,7 +231,7 @@ fn no_section_edge_is_without_length() {
             assert_eq!((loose_ends(&section), segments(&section).len()), (0, section.edges.len()), "{off}");
         }
     }
-    // What can be told apart stays apart.
+    // What can be distinguished stays distinct.
     let cube = builtin("cube");
     for height in [1.0_f32.next_down(), -1.0_f32.next_down()] {
         assert!(cut(&cube, &plane(Vec3::Y * height, Vec3::Y)).mesh.vertex_count() > cube.vertex_count(), "{height}");

@@ -155,7 +155,7 @@ fn ink_on_lines_that_are_not_true_is_spurious_of_their_kind() {
     assert!((errors.spurious_px() * PEN.width_px).fract() < 1e-9, "whole pixels over the pen's width");
 }
 
-/// The same ink is told apart by what is seen where it lies.
+/// What is seen where ink lies decides which of them it is.
 #[test]
 fn a_back_face_that_is_seen_explains_ink_on_it() {
     let scene = Scene::of_shape("torus");
