@@ -23,7 +23,7 @@ use self::buffers::Buffers;
 use self::dangling::dangling;
 use self::deform::{Deformed, deform};
 use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
-use self::nodes::{Placed, Placements, at_element, missing};
+use self::nodes::{Placed, Placements, Transform, at_element, missing};
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Problem, quote};
 use super::placing::Placing;
@@ -45,6 +45,9 @@ const UNFOLDING: u64 = 16;
 /// times, so that a small document can describe more than any memory holds. A forest of 1000 trees of 10,000 faces each passes; what
 /// repeats more is better kept apart.
 const ALWAYS: u64 = 256 << 20;
+
+/// Bytes that placing a skinned vertex takes beside its own: the mean of the matrices of its joints, joints and weights.
+const SKINNED: u64 = 168;
 
 /// The bytes of a mesh that this many bytes of input may unfold into.
 fn limit(input: u64) -> u64 {
@@ -149,6 +152,9 @@ impl<'a> SceneReader<'a> {
                 }
             };
             sum.add(size);
+            if let Transform::Skinned(_) = placed.transform {
+                sum.bytes = sum.bytes.saturating_add(size.vertices.saturating_mul(SKINNED));
+            }
         }
         let limit = limit(input + self.buffers.external_bytes());
         for (what, count, limit) in
