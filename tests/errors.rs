@@ -1,6 +1,7 @@
 //! Errors say their cause once: in their own text, or as their source, and never in both.
 
-use std::path::{Path, PathBuf};
+use crate::tidy::{root, sources};
+use std::path::Path;
 
 /// Places in `text` where an error's text holds the cause that its source yields again.
 fn said_twice(text: &str) -> Vec<String> {
@@ -28,21 +29,10 @@ fn said_twice(text: &str) -> Vec<String> {
     found
 }
 
-fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
-    for entry in folder.read_dir().unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            rust_files(&path, files);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            files.push(path);
-        }
-    }
-}
-
 #[test]
 fn no_error_prints_its_cause_twice() {
-    let mut files = Vec::new();
-    rust_files(&Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("crates"), &mut files);
+    let published = root().join("crates");
+    let files = sources().into_iter().filter(|path| path.starts_with(&published));
     let mut errors = 0;
     for path in files {
         let text = std::fs::read_to_string(&path).unwrap();

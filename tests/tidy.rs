@@ -15,11 +15,11 @@ const TEST_CRATES: [&str; 1] = ["silhouette-testing"];
 const MAX_RUST_LINES: usize = 600;
 const MAX_WGSL_LINES: usize = 150;
 
-fn root() -> PathBuf {
+pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
 }
 
-fn cargo(arguments: &[&str]) -> String {
+pub fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO")).args(arguments).arg("--offline").current_dir(root()).output().unwrap();
     assert!(output.status.success(), "cargo {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
@@ -138,7 +138,7 @@ fn lean_crates_build_without_wgpu_and_without_a_cpp_compiler() {
 }
 
 /// Source files of the workspace that git knows or would take.
-fn sources() -> Vec<PathBuf> {
+pub fn sources() -> Vec<PathBuf> {
     let mut folders = vec![root()];
     let mut files = Vec::new();
     while let Some(folder) = folders.pop() {
