@@ -21,7 +21,7 @@ use crate::input;
 use crate::mesh_argument::MeshArgument;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
-use silhouette_core::heal::heal_t_junctions;
+use silhouette_core::heal::{NEAR_SHARE, heal_t_junctions};
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::origin::common_origin;
@@ -160,7 +160,7 @@ fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result
         HealDistance::Units(distance) => distance,
         HealDistance::Auto => {
             let extent = loaded.mesh.bounds().map_or(0.0, |bounds| (bounds.max - bounds.min).max_element());
-            (extent * HEAL_SHARE) as f32
+            (extent * NEAR_SHARE) as f32
         }
     };
     let healed = heal_t_junctions(&loaded.mesh, distance);
@@ -182,9 +182,6 @@ fn heal(name: &str, loaded: &mut LabelledMesh, distance: HealDistance) -> Result
     loaded.mesh = healed.mesh;
     Ok(())
 }
-
-/// How far a vertex may lie from an edge that it divides where no distance is given, as a share of the mesh's largest extent.
-const HEAL_SHARE: f64 = 1e-6;
 
 /// All meshes as one scene, with the labels of their faces if borders between them are wanted.
 fn scene_of(meshes: &[(String, LabelledMesh)], wants_labels: bool, names: &str) -> Result<LineScene, Failure> {
