@@ -325,7 +325,7 @@ pub struct CompareArguments {
     #[arg(long, value_name = "FILE.jsonl")]
     pub peers: Vec<PathBuf>,
     /// Measure only the I-th of N shares of the cells, to be merged with the others [default: that of a Slurm job array, or all]
-    #[arg(long, value_name = "I/N", value_parser = Shard::from_str)]
+    #[arg(long, value_name = "I/N", value_parser = Shard::from_str, conflicts_with = "peers")]
     pub shard: Option<Shard>,
     /// Folder for the report; made, or replaced where it holds an earlier report. With --shard: for the finished cells
     #[arg(short, long, value_name = "DIR")]
@@ -338,6 +338,9 @@ pub struct MergeArguments {
     /// Folders of finished cells, as `compare --shard` leaves them
     #[arg(required = true, value_name = "DIR")]
     pub cells: Vec<PathBuf>,
+    /// Extraction timings of other tools for the report, as benches/peers writes them; may be given several times
+    #[arg(long, value_name = "FILE.jsonl")]
+    pub peers: Vec<PathBuf>,
     /// Folder for the report; made, or replaced where it holds an earlier report
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,

@@ -9,7 +9,7 @@ use crate::progress::TerminalProgress;
 use crate::render::draws_itself;
 use crate::winding::Winding;
 use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
-use silhouette_compare::scaling::read_rows;
+use silhouette_compare::scaling::{ExtractionRow, read_rows};
 use silhouette_compare::scene::{MeshSpec, Scene};
 use silhouette_compare::sweep::{CellStore, Key, Shard, ShardError, merge, run_shard};
 use silhouette_compare::{Profile, Registry, report};
@@ -26,10 +26,7 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
         report::check_target(&arguments.output).map_err(Failure::input)?;
     }
     check_writable(&arguments.output)?;
-    let mut peers = Vec::new();
-    for path in &arguments.peers {
-        peers.extend(read_rows(path).map_err(Failure::input)?);
-    }
+    let peers = read_peers(&arguments.peers)?;
     let progress = TerminalProgress::new();
     let depends = config.methods().iter().any(|choice| draws_itself(&choice.entry));
     let subjects = subjects(config.scene(), &arguments.meshes, arguments.orient.winding(depends), &progress)?;
@@ -59,6 +56,15 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
     comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
     store.remove().map_err(Failure::run)
+}
+
+/// The rows of several files.
+pub fn read_peers(paths: &[PathBuf]) -> Result<Vec<ExtractionRow>, Failure> {
+    let mut peers = Vec::new();
+    for path in paths {
+        peers.extend(read_rows(path).map_err(Failure::input)?);
+    }
+    Ok(peers)
 }
 
 /// The shard that is asked for, or that a Slurm job array makes of this process.
