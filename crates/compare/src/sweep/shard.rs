@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 /// One of several processes that share the cells of a comparison, each taking every so many-th.
 ///
-/// Neighbouring cells are often of similar cost, so that shards take about equally long.
+/// The number of a cell alone decides, so that no process has to know of another; shards may take different times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// From 0, below `count`.

@@ -13,7 +13,7 @@ pub const CREASE_DEG: f64 = 30.0;
 /// high is (0.2), half a ball is not (0.5).
 const NEARLY_CLOSED: f64 = 0.25;
 
-/// Which kind of line an edge is when it is drawn. Each edge has one.
+/// The kind of line that an edge makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeKind {
     /// It has more than one face and is no crease: a line only where a view makes it one.
@@ -100,7 +100,7 @@ impl MeshFacts {
         self.is_inward.iter().filter(|&&is_inward| is_inward).count()
     }
 
-    /// Which kind of line an edge is.
+    /// The kind of line that an edge makes.
     pub fn kind(&self, edge: EdgeId) -> EdgeKind {
         self.kinds[edge.index()]
     }
