@@ -8,6 +8,7 @@ use crate::winding::Winding;
 use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::load::{self, Format, LabelledMesh, Note};
+use silhouette_core::origin::largest_rounding;
 use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
 use silhouette_core::{PreparedMesh, Progress, TriangleMesh, VertexId, shapes};
@@ -89,6 +90,9 @@ pub fn drawable(
     let name = parts.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ");
     let meshes: Vec<&TriangleMesh> = parts.iter().map(|(_, loaded)| &loaded.mesh).collect();
     let mesh = TriangleMesh::of_parts(&meshes).map_err(Failure::input)?;
+    for (name, loaded) in parts.iter().filter(|(_, loaded)| loaded.mesh.origin() != mesh.origin()) {
+        note_rounding(name, &loaded.mesh.relative_to(mesh.origin()).map_err(Failure::input)?);
+    }
     let (mut feature_edges, mut first) = (Vec::new(), 0);
     for (_, loaded) in &parts {
         feature_edges.extend(loaded.feature_edges.iter().map(|edge| edge.map(|vertex| vertex + first)));
@@ -150,6 +154,20 @@ fn silently_labelled(argument: &MeshArgument, progress: &dyn Progress) -> Result
             Ok((name, loaded))
         }
         MeshArgument::File(path) => Ok((file_name(path), load::load_labelled(path, progress)?)),
+    }
+}
+
+/// Share of a mesh's extent by which rounding may move its vertices without a note.
+const NOTED_ROUNDING: f64 = 1e-4;
+
+/// Notes that a mesh, moved to count from an origin that it shares with others, is rounded by much of its extent.
+pub fn note_rounding(name: &str, moved: &TriangleMesh) {
+    let extent = moved.bounds().map_or(0.0, |bounds| (bounds.max - bounds.min).max_element());
+    let rounding = largest_rounding(moved);
+    if rounding > NOTED_ROUNDING * extent {
+        note(format_args!(
+            "{name}: is rounded by up to {rounding:.1e} beside meshes so far from it; draw it by itself"
+        ));
     }
 }
 

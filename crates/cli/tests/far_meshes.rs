@@ -266,3 +266,14 @@ fn a_mesh_that_is_cut_open_stays_where_it_is() {
     assert_eq!(target(&["--section", "950,0,0,-1,0,0"]), target(&[]));
     assert_eq!(target(&["--section", "50,0,0,1,0,0"]), target(&[]));
 }
+
+#[test]
+fn meshes_too_far_from_each_other_are_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    let (near, far) = (cube(folder.path(), "near.obj", [0.0; 3]), cube(folder.path(), "far.obj", [5e6, 0.0, 0.0]));
+    let noted = |meshes: &[&str]| String::from_utf8(run(&[&["lines"], meshes].concat()).stderr).unwrap();
+    assert!(noted(&[&near, &far]).contains("far.obj: is rounded by up to"), "{}", noted(&[&near, &far]));
+    assert!(!noted(&[&far]).contains("rounded"));
+    let beside = cube(folder.path(), "beside.obj", [5e6 + 100.0, 0.0, 0.0]);
+    assert!(!noted(&[&far, &beside]).contains("rounded"));
+}

@@ -145,8 +145,9 @@ fn meshes(
     }
     // One camera sees them all.
     let origin = common_origin(meshes.iter().map(|(_, loaded)| &loaded.mesh));
-    for (_, loaded) in meshes.iter_mut().filter(|(_, loaded)| loaded.mesh.origin() != origin) {
+    for (name, loaded) in meshes.iter_mut().filter(|(_, loaded)| loaded.mesh.origin() != origin) {
         loaded.mesh = loaded.mesh.relative_to(origin).map_err(Failure::input)?;
+        input::note_rounding(name, &loaded.mesh);
     }
     // Lines are right whichever way faces point, and so are their kinds.
     let winding = arguments.orient.winding(false);
