@@ -163,6 +163,10 @@ fn read_once(
     bytes: &[u8],
     #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
     folder: Option<&Path>,
+    #[cfg_attr(
+        not(any(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")),
+        expect(unused_variables, reason = "without a format nothing is read")
+    )]
     placing: Placing,
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, Located> {
