@@ -4,7 +4,7 @@
 
 use silhouette_compare::drawing::{FrameStyle, Ground, render_method};
 use silhouette_compare::registry::{Entry, Registry};
-use silhouette_core::curves::{CurveSource, SilhouetteCurves};
+use silhouette_core::curves::{CurveSource, SilhouetteCurves, SmoothPiece};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::method::OptionValues;
 use silhouette_core::view::{Camera, Framing};
@@ -13,8 +13,6 @@ use silhouette_render::{AdapterChoice, Gpu};
 use silhouette_visibility::plot::{Hidden, Length, PlotOptions, Unit, plot};
 use silhouette_visibility::{CurvePiece, LineFinder, LineKind, LineOptions, LineScene};
 use std::error::Error;
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -76,7 +74,7 @@ fn draw_curves(entry: &Entry, mesh: &Arc<PreparedMesh>, camera: &Camera, path: &
     let mut curves = SilhouetteCurves::default();
     let method = prepared.curves().ok_or("the method yields nothing that can be drawn")?;
     method.extract_curves(&camera.viewpoint(), &mut curves);
-    let piece = |piece: &silhouette_core::curves::SmoothPiece| CurvePiece {
+    let piece = |piece: &SmoothPiece| CurvePiece {
         control: piece.control,
         on_faces: match piece.source {
             CurveSource::Face(face) => vec![face],
@@ -86,12 +84,24 @@ fn draw_curves(entry: &Entry, mesh: &Arc<PreparedMesh>, camera: &Camera, path: &
         object: 0,
     };
     let scene = LineScene::of_meshes(&[mesh.mesh()])?.with_curves(curves.pieces().iter().map(piece).collect())?;
-    let none =
-        LineOptions { silhouette: false, boundary: false, ridge_deg: None, valley_deg: None, ..LineOptions::default() };
+    let curves_alone = LineOptions {
+        max_invisibility: u32::MAX,
+        silhouette: false,
+        boundary: false,
+        ridge_deg: None,
+        valley_deg: None,
+        ..LineOptions::default()
+    };
     let lines = LineFinder::new(scene, &NoProgress)?.find(camera, &curves_alone, &NoProgress)?;
     let mut options =
         PlotOptions { unit: Unit::Px, sheet: None, outline: false, hidden: Hidden::Solid, ..PlotOptions::default() };
     options.pens.iter_mut().for_each(|pen| pen.width = Length::px(PEN_PX));
-    plot(&lines, &options, &NoProgress)?.write_svg(entry.info().name, &mut BufWriter::new(File::create(path)?))?;
+    let mut svg = Vec::new();
+    plot(&lines, &options, &NoProgress)?.write_svg(entry.info().name, &mut svg)?;
+    // White paper, as the other pictures have: pages may be dark.
+    let svg = String::from_utf8(svg)?;
+    let head = svg.find("<svg").and_then(|svg_at| Some(svg_at + svg[svg_at..].find('>')? + 1)).ok_or("it is no SVG")?;
+    let (head, rest) = svg.split_at(head);
+    std::fs::write(path, format!("{head}\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{rest}"))?;
     Ok(())
 }
