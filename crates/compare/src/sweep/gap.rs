@@ -124,7 +124,7 @@ impl<'a> Chart<'a> {
             let point = self.points[at];
             point[0] <= best[0] && point[1] <= best[1]
         });
-        if is_beaten {
+        if is_beaten || self.lacks(one) || self.lacks(other) {
             return 0.0;
         }
         let share = |axis: usize| {
@@ -132,8 +132,12 @@ impl<'a> Chart<'a> {
             // A front of one point has no extent, and what differs from it differs altogether.
             if distance == 0.0 { 0.0 } else { (distance / self.extent[axis]).min(1.0) }
         };
-        let width = share(0).hypot(share(1));
-        if width.is_nan() { 0.0 } else { width }
+        share(0).hypot(share(1))
+    }
+
+    /// Whether a cell lacks the error.
+    fn lacks(&self, at: usize) -> bool {
+        self.points[at].iter().any(|value| value.is_nan())
     }
 }
 
