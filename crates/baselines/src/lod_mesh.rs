@@ -11,7 +11,7 @@ silhouette_core::method_options! {
     /// Options of [`LodMesh`].
     pub struct LodMeshOptions {
         /// Error that a level may have in the image: the coarsest level within it is drawn, or the finest where none is.
-        pub max_error: f64 = number("max-error", 0.0..=10000.0 "pixels", default 1.0),
+        pub max_error: f64 = number("max-error", 0.0..=10000.0 "pixels", default 1.0, sweep log 0.25..=16.0),
         /// Most faces of the finest level, where memory is to be limited; 0 keeps the mesh itself.
         pub faces: u32 = whole("faces", 0..=1000000000, default 0),
         /// How faces look: lit from the viewer's upper left, or in one grey.

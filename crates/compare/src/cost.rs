@@ -1,5 +1,6 @@
 //! What a method costs: preparation once per mesh, and frames, never mixed.
 
+use crate::interval;
 use serde::{Deserialize, Serialize};
 
 /// Median, 95th percentile and maximum of repeated measurements.
@@ -7,6 +8,8 @@ use serde::{Deserialize, Serialize};
 pub struct Spread {
     /// Middle value; of an even number of values the mean of the two middle ones.
     pub median: f64,
+    /// Ends of the 95 % [interval](crate::interval) of the median.
+    pub interval: [f64; 2],
     /// 95th percentile, by nearest rank.
     pub p95: f64,
     /// Largest value.
@@ -14,7 +17,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Spread of some values, in their unit; `None` of no value. O(n log n).
+    /// Spread of some values in the order of their measurement, in their unit; `None` of no value. O(n log n), a thousand times.
     pub fn of(values: &[f64]) -> Option<Self> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -22,7 +25,8 @@ impl Spread {
         let rank = (count as f64 * 0.95).ceil() as usize;
         let max = *sorted.last()?;
         let median = (sorted[(count - 1) / 2] + sorted[count / 2]) * 0.5;
-        Some(Self { median, p95: sorted[rank.clamp(1, count) - 1], max })
+        let interval = interval::of_median(values)?;
+        Some(Self { median, interval, p95: sorted[rank.clamp(1, count) - 1], max })
     }
 }
 
@@ -40,9 +44,9 @@ pub struct PrepareCost {
 /// What frames cost along a camera path, warm-up frames excluded.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FrameCost {
-    /// Number of frames measured.
+    /// Number of frames measured, in all passes over the path.
     pub frames: u32,
-    /// Number of frames drawn before, not measured.
+    /// Number of frames drawn before each pass, not measured.
     pub warm_up: u32,
     /// Wall time of a whole frame in milliseconds: extraction, upload, encoding, submission and waiting for the device.
     /// Nothing is read back inside the clock.
@@ -89,9 +93,10 @@ pub struct ExtractionSample {
 }
 
 impl FrameCost {
-    /// Summary of all frames but the first `warm_up`; `None` where no frame remains.
-    pub fn of(frames: &[FrameSample], warm_up: u32) -> Option<Self> {
-        let measured = frames.get(warm_up as usize..)?;
+    /// Summary of all frames of all passes over a path but the first `warm_up` of each; `None` where no frame remains.
+    pub fn of(passes: &[Vec<FrameSample>], warm_up: u32) -> Option<Self> {
+        let measured = passes.iter().filter_map(|frames| frames.get(warm_up as usize..)).flatten();
+        let measured: Vec<FrameSample> = measured.copied().collect();
         let collect = |value: fn(&FrameSample) -> Option<f64>| measured.iter().filter_map(value).collect::<Vec<_>>();
         let extract_ms = collect(|frame| frame.extraction.map(|extraction| extraction.extract_ms));
         Some(Self {
@@ -100,7 +105,7 @@ impl FrameCost {
             frame_ms: Spread::of(&collect(|frame| Some(frame.frame_ms)))?,
             gpu_ms: Spread::of(&collect(|frame| frame.gpu_ms)),
             extract_ms: Spread::of(&extract_ms),
-            counters: mean_counters(measured),
+            counters: mean_counters(&measured),
         })
     }
 }
@@ -126,13 +131,15 @@ mod tests {
     #[test]
     fn spread_of_a_known_series() {
         let values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
-        assert_eq!(Spread::of(&values), Some(Spread { median: 50.5, p95: 95.0, max: 100.0 }));
-        assert_eq!(Spread::of(&[7.0]), Some(Spread { median: 7.0, p95: 7.0, max: 7.0 }));
+        let spread = Spread::of(&values).unwrap();
+        assert_eq!((spread.median, spread.p95, spread.max), (50.5, 95.0, 100.0));
+        assert!(spread.interval[0] < 50.5 && 50.5 < spread.interval[1], "{spread:?}");
+        assert_eq!(Spread::of(&[7.0]), Some(Spread { median: 7.0, interval: [7.0; 2], p95: 7.0, max: 7.0 }));
         assert_eq!(Spread::of(&[]), None);
     }
 
     #[test]
-    fn warm_up_frames_are_excluded() {
+    fn warm_up_frames_of_every_pass_are_excluded() {
         let frame = |frame_ms, faces_tested| FrameSample {
             frame_ms,
             gpu_ms: None,
@@ -141,13 +148,13 @@ mod tests {
                 stats: ExtractionStats { faces_tested, ..ExtractionStats::default() },
             }),
         };
-        let frames = [frame(900.0, 9), frame(3.0, 10), frame(1.0, 20), frame(2.0, 30)];
-        let cost = FrameCost::of(&frames, 1).unwrap();
+        let passes = [vec![frame(900.0, 9), frame(3.0, 10), frame(1.0, 20)], vec![frame(700.0, 9), frame(2.0, 30)]];
+        let cost = FrameCost::of(&passes, 1).unwrap();
         assert_eq!((cost.frames, cost.warm_up, cost.gpu_ms), (3, 1, None));
-        assert_eq!(cost.frame_ms, Spread { median: 2.0, p95: 3.0, max: 3.0 });
+        assert_eq!((cost.frame_ms.median, cost.frame_ms.max), (2.0, 3.0));
         assert_eq!(cost.extract_ms.unwrap().median.to_bits(), 1.0_f64.to_bits());
         assert_eq!(cost.counters.unwrap().faces_tested.to_bits(), 20.0_f64.to_bits());
-        assert_eq!(FrameCost::of(&frames, 4), None);
-        assert_eq!(FrameCost::of(&frames, 5), None);
+        assert_eq!(FrameCost::of(&passes, 3), None);
+        assert_eq!(FrameCost::of(&passes, 5), None);
     }
 }

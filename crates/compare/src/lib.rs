@@ -6,7 +6,7 @@
 //! 2. [`registry`]: the methods, as a value that callers extend. [`drawing`]: frames of any of them.
 //! 3. [`camera_path`]: views around a mesh.
 //! 4. [`truth`]: the true visible lines of a view, and its true filled picture.
-//! 5. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames.
+//! 5. [`metrics`]: a picture scored against the truth. [`cost`]: preparation and frames. [`interval`]: how sure medians and means are.
 //!    [`coherence`]: what a sequence of pictures does that the truth does not.
 //! 6. [`runner`]: methods with their options x meshes, along one path; yields [cells](record::Cell). [`machine`]: where they
 //!    were made.
@@ -22,6 +22,7 @@ pub mod camera_path;
 pub mod coherence;
 pub mod cost;
 pub mod drawing;
+pub mod interval;
 pub mod machine;
 pub mod metrics;
 pub mod options;

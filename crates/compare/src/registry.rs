@@ -178,4 +178,22 @@ mod tests {
             assert!(!info.needs.is_empty() || report.is_empty(), "{} needs triangles only", info.name);
         }
     }
+
+    #[test]
+    fn every_value_of_every_sweep_fits_its_option() {
+        let mut sweeps = 0;
+        for entry in Registry::builtin().entries() {
+            let info = entry.info();
+            for spec in info.options {
+                let values = spec.sweep_values(9);
+                assert_eq!(values.is_empty(), spec.sweep.is_none(), "{}.{}", info.name, spec.name);
+                for value in values {
+                    let word = format!("{}={value}", spec.name);
+                    assert!(OptionValues::parse(info.options, [word.as_str()]).is_ok(), "{}.{word}", info.name);
+                    sweeps += 1;
+                }
+            }
+        }
+        assert!(sweeps > 50, "{sweeps}");
+    }
 }

@@ -15,9 +15,11 @@
 //! | draws lines | `silhouette_gpu::DrawsLines` | ink in somebody's render pass |
 
 mod options;
+mod sweep;
 mod typed_options;
 
 pub use options::{OptionError, OptionKind, OptionSpec, OptionValue, OptionValues};
+pub use sweep::Sweep;
 pub use typed_options::{MethodOptions, NoOptions, OptionChoice, OptionField};
 
 use crate::curves::SilhouetteCurves;

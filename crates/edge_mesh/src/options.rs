@@ -116,9 +116,9 @@ method_options! {
         /// takes about half.
         pub cull: CullChoice = choice("cull"),
         /// Which stage leaves out the edges that are not drawn: a compute pass that lists the others, or the vertex stage.
-        pub path: PathChoice = choice("path"),
+        pub path: PathChoice = choice("path", sweep ["compacted", "vertex-stage"]),
         /// Where facing is decided: exactly on the CPU while the mesh is at rest, or on the device.
-        pub facing: FacingChoice = choice("facing"),
+        pub facing: FacingChoice = choice("facing", sweep ["exact", "device"]),
         /// Corrected, or the article's: widths, path and facing are then the article's too.
         pub arithmetic: ArithmeticChoice = choice("arithmetic"),
     }

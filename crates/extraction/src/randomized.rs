@@ -52,7 +52,7 @@ silhouette_core::method_options! {
     pub struct RandomizedOptions {
         /// Share of all edges that each view tests at random; 0 only follows the last view, 1 is slower than brute force and
         /// still misses some loops.
-        pub probes: f64 = number("probes", 0.0..=1.0, default 0.01),
+        pub probes: f64 = number("probes", 0.0..=1.0, default 0.01, sweep log 0.001..=0.3),
         /// Start of the random sequence; any whole number is as good as another.
         pub seed: u32 = whole("seed", 0..=4_294_967_295, default 1),
     }

@@ -146,14 +146,14 @@ method_options! {
         pub scale: f64 = number("scale", 0.01..=1.0, default 0.99),
         /// How far fixed-pull moves back faces along the viewing axis: 0 draws nothing, more is thicker and shows through
         /// sooner.
-        pub pull_radii: f64 = number("pull", 0.0..=1.0 "bounding radii", default 0.03),
+        pub pull_radii: f64 = number("pull", 0.0..=1.0 "bounding radii", default 0.03, sweep log 0.003..=0.1),
         /// Which plane depth-range moves for back faces; both pull when they move out, which for far is against the paper's
         /// text.
         pub depth_plane: MovedPlane = choice("depth-plane"),
         /// Depth of that plane for back faces over its depth for front faces: above 1 pulls, below 1 pushes and draws nothing.
         pub plane_factor: f64 = number("plane-factor", 0.1..=10.0, default 1.05),
         /// Polygon offset towards the viewer in depth slopes: the width on face-on silhouettes in pixels, half on smooth rims.
-        pub offset_slope: f64 = number("offset-slope", 0.0..=64.0, default 2.0),
+        pub offset_slope: f64 = number("offset-slope", 0.0..=64.0, default 2.0, sweep linear 1.0..=4.0),
         /// Polygon offset towards the viewer in depth-buffer steps.
         pub offset_constant: f64 = number("offset-constant", 0.0..=1e6 "depth steps", default 1.0),
         /// Most that polygon offset may amount to, in units of the depth buffer: bounds what edge-on faces do; 0 is no bound.

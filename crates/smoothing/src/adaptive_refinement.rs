@@ -40,7 +40,7 @@ silhouette_core::method_options! {
     /// Options of [`AdaptiveRefinement`].
     pub struct AdaptiveRefinementOptions {
         /// How often the sides of patches are halved: each patch becomes 4 to this power triangles.
-        pub halvings: u32 = whole("halvings", 0..=4, default 2),
+        pub halvings: u32 = whole("halvings", 0..=4, default 2, sweep linear 0..=4),
         /// Angle between the view and the plane of a face up to which its edges are wholly curved.
         pub full_deg: f64 = number("full", 0.0..=90.0 "degrees", default 10.0),
         /// Angle between the view and the planes of its faces from which an edge is straight; edges are wholly curved or straight

@@ -44,7 +44,7 @@ silhouette_core::method_options! {
         /// Turn of the silhouette in the image from which a vertex is a corner, which stays sharp.
         pub corner_deg: f64 = number("corner", 0.0..=90.0 "degrees", default 75.0),
         /// Distance to which a curve is drawn by straight segments.
-        pub tolerance_px: f64 = number("tolerance", 0.01..=64.0 "px", default 1.0),
+        pub tolerance_px: f64 = number("tolerance", 0.01..=64.0 "px", default 1.0, sweep log 0.1..=16.0),
         /// Dihedral angle from which an edge is a feature, across which normals are not interpolated.
         pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
         /// How much each face counts in the normal of a vertex.

@@ -24,9 +24,9 @@ silhouette_core::method_options! {
     /// Options of [`Smoothing`](crate::Smoothing).
     pub struct SmoothingOptions {
         /// How far the polyline that a curve is drawn as may stray from it.
-        pub tolerance_px: f64 = number("tolerance", 0.01..=64.0 "px", default 1.0),
+        pub tolerance_px: f64 = number("tolerance", 0.01..=64.0 "px", default 1.0, sweep log 0.1..=16.0),
         /// Steps of Newton's method on the true equation of silhouette points, seen in perspective; 0 leaves the paper's approximation.
-        pub newton_steps: u32 = whole("newton", 0..=8, default 3),
+        pub newton_steps: u32 = whole("newton", 0..=8, default 3, sweep linear 0..=4),
         /// How a silhouette segment is interpolated between its two points.
         pub segments: SegmentLaw = choice("segments"),
         /// Dihedral angle from which an edge is a feature edge; 180 leaves those that the mesh came with, and where the surface ends or branches.
@@ -44,6 +44,6 @@ silhouette_core::method_options! {
         /// The tangent of a feature polyline at a vertex.
         pub tangents: Tangents = choice("tangents"),
         /// What makes the triangles of a drawn view.
-        pub path: Path = choice("path"),
+        pub path: Path = choice("path", sweep ["gpu", "cpu"]),
     }
 }

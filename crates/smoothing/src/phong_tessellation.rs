@@ -28,7 +28,7 @@ silhouette_core::method_options! {
     /// Options of [`PhongTessellation`].
     pub struct PhongTessellationOptions {
         /// Points inserted per side: each face becomes (level + 1)² triangles.
-        pub level: u32 = whole("level", 0..=15, default 3),
+        pub level: u32 = whole("level", 0..=15, default 3, sweep linear 0..=7),
         /// How far points are drawn towards the projections: 0 leaves faces flat.
         pub alpha: f64 = number("alpha", 0.0..=1.0, default 0.75),
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth.

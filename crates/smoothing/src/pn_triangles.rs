@@ -28,7 +28,7 @@ silhouette_core::method_options! {
     /// Options of [`PnTriangles`].
     pub struct PnTrianglesOptions {
         /// Points inserted per side: each face becomes (level + 1)² triangles.
-        pub level: u32 = whole("level", 0..=15, default 3),
+        pub level: u32 = whole("level", 0..=15, default 3, sweep linear 0..=7),
         /// Dihedral angle from which an edge is a feature, across which the surface is not smooth.
         pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 75.0),
         /// How much each face counts in the normal of a vertex.

@@ -92,12 +92,12 @@ silhouette_core::method_options! {
     pub struct TrackingOptions {
         /// Only concave edges whose interior angle exceeds pi by more than this are searched for new loops: 0 searches all, pi
         /// or more none, which is fast and misses what is new.
-        pub concavity_rad: f64 = number("concavity", 0.0..=3.2 "rad", default 0.0),
+        pub concavity_rad: f64 = number("concavity", 0.0..=3.2 "rad", default 0.0, sweep linear 0.0..=1.6),
         /// Share of the silhouette's length that may be missed. Above 0 it sets the level while tracking, by what audits see
         /// missed.
-        pub missed_share: f64 = number("missed-share", 0.0..=1.0, default 0.0),
+        pub missed_share: f64 = number("missed-share", 0.0..=1.0, default 0.0, sweep log 0.001..=0.3),
         /// Faces that audits may evaluate, over those that tracking evaluates.
-        pub audit_share: f64 = number("audit-share", 1e-6..=1000.0, default 0.1),
+        pub audit_share: f64 = number("audit-share", 1e-6..=1000.0, default 0.1, sweep log 0.01..=1.0),
         /// How many edges of each old loop are tested: all, or one and more only where it leads nowhere.
         pub tested_edges: TestedEdges = choice("tested-edges"),
         /// What happens to a mesh with edges that cannot be tracked across: it is refused, or cut there.

@@ -31,7 +31,7 @@ line_method_options! {
     /// Options of [`GbufferFilter`].
     pub struct GbufferFilterOptions {
         /// Which pixels are compared: two diagonals of four pixels, or a pixel with the eight around it.
-        pub operator: Operator = choice("operator"),
+        pub operator: Operator = choice("operator", sweep ["roberts", "sobel"]),
         /// Which discontinuities are lines: steps in depth, or turns of the normal as well.
         pub edges: FilteredEdges = choice("edges"),
         /// Least step in depth that is a line: less finds more of what lies close behind, and false lines on grazing surfaces.

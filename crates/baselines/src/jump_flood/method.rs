@@ -21,7 +21,7 @@ line_method_options! {
     /// Options of [`JumpFlood`].
     pub struct JumpFloodOptions {
         /// How the outer rim ends: at the samples of the target, or blended by the share of a pixel that it covers.
-        pub antialiasing: Antialiasing = choice("antialiasing"),
+        pub antialiasing: Antialiasing = choice("antialiasing", sweep ["samples", "coverage"]),
     }
 }
 

@@ -7,11 +7,13 @@ pub mod label;
 
 use crate::coherence::{CoherenceMetrics, Motion};
 use crate::cost::{FrameCost, PrepareCost};
+use crate::interval;
 use crate::metrics::LineErrors;
-use crate::metrics::table::{PictureKind, PictureMetrics};
+use crate::metrics::table::{MetricSpec, PictureKind, PictureMetrics};
 use crate::options::OptionSettings;
 use serde::{Deserialize, Serialize};
 use silhouette_core::view::{Camera, Projection};
+use std::collections::BTreeMap;
 
 /// One method with its options on one mesh: what it cost along the scene's path, and what its scored frames were worth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -37,6 +39,9 @@ pub struct Cell {
     pub frame: FrameCost,
     /// Its scored frames in the order of the path: at least one.
     pub views: Vec<View>,
+    /// Ends of the 95 % [interval](crate::interval) of the mean over the views, for each metric by its name.
+    #[serde(default)]
+    pub intervals: BTreeMap<String, [f64; 2]>,
     /// Coherence along the scene's motions; none where the scene asks for none.
     #[serde(default)]
     pub coherence: Vec<CoherenceRecord>,
@@ -200,6 +205,17 @@ impl Cell {
         LineErrors::mean(&self.views.iter().filter_map(|view| view.errors).collect::<Vec<_>>())
     }
 
+    /// The same with the [intervals](Self::intervals) that follow from its views.
+    pub fn with_intervals(self) -> Self {
+        let values = |metric: &MetricSpec| self.views.iter().map(|view| (metric.value)(&view.metrics)).collect();
+        let interval = |metric: &MetricSpec| {
+            let values: Option<Vec<f64>> = values(metric);
+            Some((metric.name.to_owned(), interval::of_mean(&values?)?))
+        };
+        let intervals = self.picture.metrics().filter_map(interval).collect();
+        Self { intervals, ..self }
+    }
+
     /// The metrics averaged over the views, each counting the same; `None` where there is no view.
     pub fn mean_metrics(&self) -> Option<PictureMetrics> {
         PictureMetrics::mean(&self.views.iter().map(|view| view.metrics).collect::<Vec<_>>())
@@ -216,7 +232,12 @@ pub(crate) mod tests {
 
     /// A cell of one view.
     pub(crate) fn cell(mesh: &str, method: &str, frame_ms: f64, chamfer_px: f64) -> Cell {
-        let spread = |median: f64| Spread { median, p95: median * 2.0, max: median * 3.0 };
+        let spread = |median: f64| Spread {
+            median,
+            interval: [median * 0.5, median * 1.5],
+            p95: median * 2.0,
+            max: median * 3.0,
+        };
         Cell {
             mesh: MeshRecord { name: mesh.to_owned(), vertices: 4, faces: 4, edges: 6, inward_faces: 0 },
             method: method.to_owned(),
@@ -235,8 +256,10 @@ pub(crate) mod tests {
                 counters: None,
             },
             views: vec![view(5, chamfer_px)],
+            intervals: BTreeMap::new(),
             coherence: Vec::new(),
         }
+        .with_intervals()
     }
 
     pub(crate) fn view(frame: u32, chamfer_px: f64) -> View {

@@ -4,7 +4,7 @@ use super::chart;
 use super::measure::Measure;
 use super::summary::{CellSummary, MeshSummary};
 use super::tables::who;
-use super::text::{measured, megabytes, milliseconds};
+use super::text::{in_unit, interval, measured, megabytes, milliseconds};
 use crate::metrics::PictureKind;
 use minijinja::{Value, context};
 use serde_json::json;
@@ -25,7 +25,10 @@ pub(super) fn answer(
     // What changes with the measure beside the figure.
     for (place, measure) in measures.iter().enumerate() {
         let text = |cell: &CellSummary<'_>| measure.value(cell).map(|value| measured(measure, value));
-        let values = cells.iter().map(|cell| (cell.row.to_string(), json!(text(cell))));
+        let between = |cell: &CellSummary<'_>| {
+            interval(measure.interval(cell), |end| in_unit(measure.unit, end)).unwrap_or_default()
+        };
+        let values = cells.iter().map(|cell| (cell.row.to_string(), json!([text(cell), between(cell)])));
         let on_front: Vec<usize> = measure.front(&cells).iter().map(|&index| cells[index].row).collect();
         figure["measures"][place]["sentence"] = sentence(kind, measure, &cells).into();
         figure["measures"][place]["front"] = json!(on_front);
@@ -63,8 +66,10 @@ fn row(cell: &CellSummary<'_>, measure: &Measure, is_on_front: bool) -> Value {
         who => who(cell),
         on_front => is_on_front,
         time => milliseconds(cell.cell.frame.frame_ms.median),
+        time_interval => interval(Some(cell.cell.frame.frame_ms.interval), milliseconds),
         p95 => milliseconds(cell.cell.frame.frame_ms.p95),
         error => measure.value(cell).map(|value| measured(measure, value)),
+        error_interval => interval(measure.interval(cell), |end| in_unit(measure.unit, end)),
         prepare => milliseconds(cell.cell.prepare.prepare_ms),
         bytes => megabytes(cell.cell.prepare.bytes),
     }
@@ -171,6 +176,9 @@ mod tests {
         let chart: serde_json::Value = serde_json::from_str(&chart).unwrap();
         let first = chart["first"].as_u64().unwrap() as usize;
         assert_eq!(chart["measures"][first]["front"], json!([3, 1]));
-        assert_eq!(chart["measures"][first]["values"], json!({"1": "1.00 px", "2": "2.00 px", "3": "3.00 px"}));
+        assert_eq!(
+            chart["measures"][first]["values"],
+            json!({"1": ["1.00 px", ""], "2": ["2.00 px", ""], "3": ["3.00 px", ""]})
+        );
     }
 }

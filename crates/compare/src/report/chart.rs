@@ -126,11 +126,25 @@ fn shown(cells: &[&CellSummary<'_>], measure: &Measure) -> Value {
     let names = names(&labels, &x, &y);
     let mut traces = vec![json!({ "x": x, "y": y })];
     traces.extend(cells.iter().map(|cell| match measure.value(cell) {
-        Some(value) => json!({ "x": [milliseconds(cell)], "y": [value], "hovertext": [hover_text(cell, measure)] }),
+        Some(value) => json!({
+            "x": [milliseconds(cell)],
+            "y": [value],
+            "hovertext": [hover_text(cell, measure)],
+            "error_x": error_bar(milliseconds(cell), Some(cell.cell.frame.frame_ms.interval)),
+            "error_y": error_bar(value, measure.interval(cell)),
+        }),
         None => json!({ "x": [], "y": [], "hovertext": [] }),
     }));
     traces.push(json!({ "x": x, "y": y, "text": names }));
     json!({ "traces": traces, "axis": format!("{} in {}", measure.title, measure.unit) })
+}
+
+/// An error bar from one end of an interval to the other.
+fn error_bar(value: f64, interval: Option<[f64; 2]>) -> Value {
+    let [low, high] = interval.unwrap_or([value; 2]);
+    let array = [(high - value).max(0.0)];
+    let below = [(value - low).max(0.0)];
+    json!({ "type": "data", "symmetric": false, "array": array, "arrayminus": below, "thickness": 1, "width": 3 })
 }
 
 /// What stands beside the dots of the front: spaces keep a name off its dot, empty lines below it off the name before, where the
@@ -154,9 +168,11 @@ fn hover_text(summary: &CellSummary<'_>, measure: &Measure) -> String {
     let ratio =
         summary.frame_ratio.map(|ratio| format!("<br>{ratio:.2} x the time of the baseline")).unwrap_or_default();
     let value = measure.value(summary).map_or_else(|| "–".to_owned(), |value| format!("{value:.4} {}", measure.unit));
+    let between = measure.interval(summary).map(|[low, high]| format!(" ({low:.4} to {high:.4})")).unwrap_or_default();
     let frame_ms = summary.cell.frame.frame_ms;
+    let [low, high] = frame_ms.interval;
     format!(
-        "<b>{}</b><br>{}: {value}<br>frame: {:.2} ms median, {:.2} ms p95{ratio}<br>row {}",
+        "<b>{}</b><br>{}: {value}{between}<br>frame: {:.2} ms median ({low:.2} to {high:.2}), {:.2} ms p95{ratio}<br>row {}",
         summary.label, measure.title, frame_ms.median, frame_ms.p95, summary.row,
     )
 }
@@ -189,6 +205,8 @@ mod tests {
         assert_eq!(names, &json!(["\u{a0}\u{a0}image-precision", "\u{a0}\u{a0}brute-force"]));
         assert_eq!(chart["colors"], json!([null, 0, 1, null]));
         assert_eq!(chart["plot"]["data"].as_array().map(Vec::len), Some(4), "the front, every cell, the front's names");
+        let bar = &chart["measures"][first]["traces"][2]["error_x"];
+        assert_eq!((&bar["array"], &bar["arrayminus"]), (&json!([1.0]), &json!([1.0])), "from 1 to 3 ms");
         let text = chart["measures"][first]["traces"][2]["hovertext"][0].as_str().unwrap();
         assert!(text.contains("Chamfer distance: 0.5000 px") && text.ends_with("row 2"), "{text}");
     }

@@ -5,7 +5,7 @@ use super::pictures::PictureFiles;
 use super::sphere_map;
 use super::summary::CellSummary;
 use super::tables::{edges_found, who};
-use super::text::{grouped, metric_text, milliseconds, optional, shown_unit};
+use super::text::{grouped, interval, metric_text, milliseconds, optional, shown_unit};
 use super::where_it_errs;
 use crate::cost::{FrameCost, Spread};
 use crate::record::{CameraRecord, Cell, View};
@@ -126,7 +126,8 @@ pub(super) fn citation(entry: &Entry) -> String {
 fn times(frame: &FrameCost) -> Vec<Value> {
     let row = |what: &str, spread: Option<Spread>| {
         let text = |value: fn(Spread) -> f64| optional(spread.map(value), milliseconds);
-        context! { what => what, median => text(|s| s.median), p95 => text(|s| s.p95), max => text(|s| s.max) }
+        let interval = interval(spread.map(|spread| spread.interval), milliseconds);
+        context! { what => what, median => text(|s| s.median), interval => interval, p95 => text(|s| s.p95), max => text(|s| s.max) }
     };
     vec![
         row("whole frame", Some(frame.frame_ms)),

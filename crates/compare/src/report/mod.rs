@@ -6,6 +6,7 @@
 //! | `run.json` | the scene, which methods refused which mesh, and the runs, each with machine, adapter and program: what all results have in common |
 //! | `results.jsonl` | one [`Cell`](crate::record::Cell) per line, its scored frames nested in it |
 //! | `results.csv` | the same as a [flat table](crate::record::flat): one row per scored frame, one column per option |
+//! | `cells.csv` | one row per cell: medians of times and means of metrics, each with the ends of its 95 % [interval](crate::interval) |
 //! | `extraction.jsonl` | extraction times of this run and of peers, one [`ExtractionRow`](crate::scaling::ExtractionRow) per line |
 //! | `images/*.png` | what each cell drew, the truth, the difference |
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
@@ -78,7 +79,8 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     let mut staged = StagedDirectory::begin(directory, REPORT)?;
     staged.write("run.json", &formed("run.json", run_file(comparison))?)?;
     staged.write("results.jsonl", &formed("results.jsonl", rows(&comparison.cells))?)?;
-    staged.write("results.csv", &formed("results.csv", table(&Table::of(&comparison.cells)))?)?;
+    staged.write("results.csv", &formed("results.csv", table(&Table::of_views(&comparison.cells)))?)?;
+    staged.write("cells.csv", &formed("cells.csv", table(&Table::of_cells(&comparison.cells)))?)?;
     let own = rows_of_cells(&comparison.cells, &comparison.runs);
     let extractions = [own, comparison.peers.clone()].concat();
     staged.write("extraction.jsonl", &formed("extraction.jsonl", rows(&extractions))?)?;

@@ -64,6 +64,7 @@ pub(super) fn render(
         scored => scene.path.scored,
         frames => scene.path.frames,
         warm_up => scene.path.warm_up,
+        passes => scene.path.passes,
         runs => comparison.runs.iter().map(RunDescription::facts).collect::<Vec<_>>(),
         is_debug => comparison.runs.iter().any(|run| run.build == "debug"),
         is_software => comparison.runs.iter().any(|run| run.adapter.software),

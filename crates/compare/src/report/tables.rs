@@ -2,7 +2,8 @@
 
 use super::chart::look;
 use super::summary::{CellSummary, baseline};
-use super::text::{megabytes, metric_text, milliseconds, optional};
+use super::text::{interval, megabytes, metric_text, milliseconds, optional};
+use crate::cost::Spread;
 use crate::metrics::PictureKind;
 use crate::metrics::table::{Better, MetricSpec};
 use crate::record::Cell;
@@ -34,7 +35,9 @@ pub(super) fn quality_row(kind: PictureKind, cells: &[&CellSummary<'_>], summary
     };
     let metrics = kind.metrics().map(|metric| {
         let text = optional((metric.value)(&summary.metrics), |value| metric_text(metric, value));
-        context! { text => text, best => is_best(metric) }
+        let ends = summary.cell.intervals.get(metric.name).copied();
+        let interval = interval(ends, |end| metric_text(metric, end));
+        context! { text => text, interval => interval, best => is_best(metric) }
     });
     let (edges, edges_wrong) = edges_found(summary.cell);
     context! {
@@ -66,6 +69,7 @@ pub(super) fn edges_found(cell: &Cell) -> (String, bool) {
 /// What a cell cost.
 pub(super) fn cost_row(summary: &CellSummary<'_>) -> Value {
     let ratio = |value: Option<f64>| optional(value, |value| format!("{value:.3}"));
+    let between = |spread: Option<Spread>| interval(spread.map(|spread| spread.interval), milliseconds);
     let Cell { prepare, frame, picture, .. } = summary.cell;
     context! {
         who => who(summary),
@@ -76,6 +80,9 @@ pub(super) fn cost_row(summary: &CellSummary<'_>) -> Value {
         extract => optional(frame.extract_ms.map(|spread| spread.median), milliseconds),
         gpu => optional(frame.gpu_ms.map(|spread| spread.median), milliseconds),
         median => milliseconds(frame.frame_ms.median),
+        median_interval => between(Some(frame.frame_ms)),
+        extract_interval => between(frame.extract_ms),
+        gpu_interval => between(frame.gpu_ms),
         p95 => milliseconds(frame.frame_ms.p95),
         max => milliseconds(frame.frame_ms.max),
         frame_ratio => ratio(summary.frame_ratio),

@@ -20,6 +20,7 @@ use silhouette_core::prepared::ArtefactReport;
 use silhouette_core::view::Camera;
 use silhouette_gpu::PenPlacement;
 use silhouette_render::Gpu;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -63,7 +64,8 @@ impl<'a> Bench<'a> {
     pub fn run_cell(&mut self, choice: &MethodChoice) -> Result<Outcome, CompareError> {
         let method = choice.entry.info().name;
         let mesh = self.subject.mesh.name.clone();
-        self.progress.stage(&format!("{mesh}: {method}"), self.cameras.len() as u64);
+        let frames = self.cameras.len() as u64 * u64::from(self.scene.path.passes);
+        self.progress.stage(&format!("{mesh}: {method}"), frames);
         let prepared = self.prepare(choice);
         let (mut drawing, prepare, artefacts) = match prepared {
             Err(DrawError::Prepare(PrepareError::Mesh(reason))) => {
@@ -116,8 +118,8 @@ impl<'a> Bench<'a> {
         let output = source.output();
         self.truths.prepare(output, self.gpu, self.progress)?;
         let mesh = &self.subject.mesh.name;
-        let followed =
-            follow(source, &self.cameras, &self.scored, self.gpu, self.progress).map_err(|error| match error {
+        let followed = follow(source, &self.cameras, &self.scored, self.scene.path.passes, self.gpu, self.progress)
+            .map_err(|error| match error {
                 FollowError::Cancelled(cancelled) => CompareError::Cancelled(cancelled),
                 FollowError::Draw(cause) => CompareError::draw(mesh, method, cause),
             })?;
@@ -142,8 +144,9 @@ impl<'a> Bench<'a> {
             },
             prepare,
             artefacts: Vec::new(),
-            frame: FrameCost::of(&followed.samples, warm_up).expect("every scene times at least one frame"),
+            frame: FrameCost::of(&followed.passes, warm_up).expect("every scene times at least one frame"),
             views,
+            intervals: BTreeMap::new(),
             coherence: Vec::new(),
         };
         let pictured = cell.worst_view().expect("every scene scores at least one frame");
@@ -158,12 +161,12 @@ impl<'a> Bench<'a> {
             truth,
             difference,
         };
-        Ok((cell, pictures))
+        Ok((cell.with_intervals(), pictures))
     }
 
     fn view(&self, view: usize, output: Output, followed: &Followed, scored: &Scored) -> View {
         let frame = &followed.scored[view];
-        let sample = &followed.samples[frame.index];
+        let sample = &followed.passes[0][frame.index];
         View {
             frame: frame.index as u32 - self.scene.path.warm_up,
             camera: CameraRecord::from(&self.cameras[frame.index]),

@@ -16,6 +16,9 @@ pub const MAX_SCORED_PIXELS: u64 = 1 << 26;
 /// Most frames that are timed.
 pub const MAX_FRAMES: u32 = 100_000;
 
+/// Most passes over the timed path.
+pub const MAX_PASSES: u32 = 1000;
+
 /// Most frames that are drawn before.
 pub const MAX_WARM_UP: u32 = 10_000;
 
@@ -70,6 +73,7 @@ impl Scene {
 
         within("path.warm-up", path.warm_up, 0..=MAX_WARM_UP)?;
         within("path.frames", path.frames, 1..=MAX_FRAMES)?;
+        within("path.passes", path.passes, 1..=MAX_PASSES)?;
         let expected = format!("at least 1 and at most path.frames = {}, since timed frames are scored", path.frames);
         require((1..=path.frames).contains(&path.scored), "path.scored", path.scored, &expected)?;
         let pixels = u64::from(picture.width) * u64::from(picture.height);

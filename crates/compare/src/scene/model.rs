@@ -140,10 +140,21 @@ pub struct PathSpec {
     pub step_deg: f64,
     /// Number of frames drawn first and not timed.
     pub warm_up: u32,
-    /// Number of frames timed.
+    /// Number of frames timed, in each pass.
     pub frames: u32,
+    /// How often the path is followed, warm-up frames too, for times. Default: once.
+    #[serde(default = "once", skip_serializing_if = "is_once")]
+    pub passes: u32,
     /// Number of timed frames that are scored, spread evenly.
     pub scored: u32,
+}
+
+fn once() -> u32 {
+    1
+}
+
+fn is_once(passes: &u32) -> bool {
+    *passes == once()
 }
 
 fn is_y(axis: &UpAxis) -> bool {

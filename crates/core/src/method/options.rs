@@ -3,6 +3,7 @@
 //! A method's options are a struct ([`MethodOptions`](super::MethodOptions)); what is here is the form that a command line,
 //! a report or a file of results needs of any method's options.
 
+use super::sweep::Sweep;
 use std::collections::BTreeMap;
 
 /// One option of a method. [`method_options!`](crate::method_options) makes them from the fields of a struct.
@@ -16,6 +17,8 @@ pub struct OptionSpec {
     pub unit: &'static str,
     /// Type, range and default.
     pub kind: OptionKind,
+    /// Values worth comparing, where the option trades speed for accuracy.
+    pub sweep: Option<Sweep>,
 }
 
 /// Type, range and default of an option.
@@ -237,9 +240,16 @@ mod tests {
             summary: "",
             unit: "px",
             kind: OptionKind::Number { min: 0.0, max: 1.0, default: 0.5 },
+            sweep: None,
         },
-        OptionSpec { name: "seed", summary: "", unit: "", kind: OptionKind::Whole { min: 1, max: 9, default: 3 } },
-        OptionSpec { name: "mode", summary: "", unit: "", kind: OptionKind::Choice(&["screen", "paper"]) },
+        OptionSpec {
+            name: "seed",
+            summary: "",
+            unit: "",
+            kind: OptionKind::Whole { min: 1, max: 9, default: 3 },
+            sweep: None,
+        },
+        OptionSpec { name: "mode", summary: "", unit: "", kind: OptionKind::Choice(&["screen", "paper"]), sweep: None },
     ];
 
     #[test]

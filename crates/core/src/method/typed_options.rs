@@ -134,6 +134,9 @@ impl OptionValues {
 /// - `whole("name", MIN..=MAX "unit", default VALUE)` for a `u32`,
 /// - `choice("name")` for an enum made by [`option_choice!`](crate::option_choice), whose first word is the default.
 ///
+/// An option that trades speed for accuracy ends with the values that are worth comparing, its [`Sweep`](crate::method::Sweep):
+/// `, sweep linear FROM..=TO` or `, sweep log FROM..=TO`, and for words `, sweep ["one", "another"]`.
+///
 /// Names, units, ranges and defaults are added to the documentation of the field. Summaries are printed as plain text, so
 /// they hold no links.
 ///
@@ -156,7 +159,7 @@ impl OptionValues {
 ///         /// Width of lines: 0 draws nothing.
 ///         pub width_px: f64 = number("width", 0.0..=100.0 "px", default 2.0),
 ///         /// Copies of each line; more look more like a sketch.
-///         pub copies: u32 = whole("copies", 1..=8, default 1),
+///         pub copies: u32 = whole("copies", 1..=8, default 1, sweep linear 1..=4),
 ///         /// How lines end.
 ///         pub ends: Ends = choice("ends"),
 ///     }
@@ -221,39 +224,58 @@ macro_rules! method_options {
 
     (@name $name:literal $($rest:tt)*) => { $name };
 
-    (@default choice($name:literal)) => { ::core::default::Default::default() };
-    (@default $kind:ident($name:literal, $min:literal..=$max:literal $($unit:literal)?, default $default:literal)) => {
+    (@default choice($($spec:tt)*)) => { ::core::default::Default::default() };
+    (
+        @default
+        $kind:ident($name:literal, $min:literal..=$max:literal $($unit:literal)?, default $default:literal $($sweep:tt)*)
+    ) => {
         $default
     };
 
-    (@doc choice($name:literal)) => {
+    (@doc choice($name:literal $($sweep:tt)*)) => {
         ::core::concat!("Option `", $name, "`: a word; the first is the default.")
     };
-    (@doc $kind:ident($name:literal, $min:literal..=$max:literal $($unit:literal)?, default $default:literal)) => {
+    (
+        @doc
+        $kind:ident($name:literal, $min:literal..=$max:literal $($unit:literal)?, default $default:literal $($sweep:tt)*)
+    ) => {
         ::core::concat!(
             "Option `", $name, "`: ", ::core::stringify!($min), " to ", ::core::stringify!($max), $(" ", $unit,)?
             ", default ", ::core::stringify!($default), "."
         )
     };
 
-    (@spec $doc:expr, $type:ty, choice($name:literal)) => {
+    (@spec $doc:expr, $type:ty, choice($name:literal $($sweep:tt)*)) => {
         $crate::method::OptionSpec {
             name: $name,
             summary: $doc.trim_ascii(),
             unit: "",
             kind: $crate::method::OptionKind::Choice(<$type as $crate::method::OptionChoice>::WORDS),
+            sweep: $crate::method_options!(@sweep $($sweep)*),
         }
     };
     (
         @spec $doc:expr, $type:ty,
-        $kind:ident($name:literal, $min:literal..=$max:literal $($unit:literal)?, default $default:literal)
+        $kind:ident($name:literal, $min:literal..=$max:literal $($unit:literal)?, default $default:literal $($sweep:tt)*)
     ) => {
         $crate::method::OptionSpec {
             name: $name,
             summary: $doc.trim_ascii(),
             unit: ::core::concat!($($unit)?),
             kind: $crate::method_options!(@kind $kind $min, $max, $default),
+            sweep: $crate::method_options!(@sweep $($sweep)*),
         }
+    };
+
+    (@sweep) => { ::core::option::Option::None };
+    (@sweep , sweep linear $from:literal..=$to:literal) => {
+        ::core::option::Option::Some($crate::method::Sweep::Linear { from: $from as f64, to: $to as f64 })
+    };
+    (@sweep , sweep log $from:literal..=$to:literal) => {
+        ::core::option::Option::Some($crate::method::Sweep::Log { from: $from as f64, to: $to as f64 })
+    };
+    (@sweep , sweep [$($word:literal),+ $(,)?]) => {
+        ::core::option::Option::Some($crate::method::Sweep::Words(&[$($word),+]))
     };
 
     (@kind number $min:literal, $max:literal, $default:literal) => {

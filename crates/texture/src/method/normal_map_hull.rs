@@ -21,9 +21,9 @@ silhouette_core::method_options! {
     /// Options of [`NormalMapHull`].
     pub struct NormalMapHullOptions {
         /// Most vertices of the hull.
-        pub hull_vertices: u32 = whole("hull-vertices", 4..=1000000, default 500),
+        pub hull_vertices: u32 = whole("hull-vertices", 4..=1000000, default 500, sweep log 100..=2000),
         /// Texels of colours and normals along either side of their map, in pairs.
-        pub size: u32 = whole("size", 16..=16384 "texels", default 512),
+        pub size: u32 = whole("size", 16..=16384 "texels", default 512, sweep log 128..=1024),
         /// Edges of the mesh whose faces differ by more are shaded as sharp.
         pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 60.0),
     }

@@ -44,11 +44,11 @@ macro_rules! texture_options {
             $(#[$meta])*
             pub struct $name {
                 /// Most vertices of the hull.
-                pub hull_vertices: u32 = whole("hull-vertices", 4..=1000000, default 500),
+                pub hull_vertices: u32 = whole("hull-vertices", 4..=1000000, default 500, sweep log 100..=2000),
                 /// Texels along either side of a page.
-                pub size: u32 = whole("size", 8..=16384 "texels", default 256),
+                pub size: u32 = whole("size", 8..=16384 "texels", default 256, sweep log 64..=512),
                 /// Azimuths at which each texel's lobe is sampled.
-                pub azimuths: u32 = whole("azimuths", 3..=1024, default 32),
+                pub azimuths: u32 = whole("azimuths", 3..=1024, default 32, sweep log 8..=64),
                 /// 3-D textures that the hull is spread over, for sizes that no single one can have.
                 pub pages: u32 = whole("pages", 1..=1024, default 1),
                 /// Which outlines are kept: inner and outer ones, or outer ones alone.
@@ -58,15 +58,15 @@ macro_rules! texture_options {
                 /// The angle where a meridian meets a lobe more than once.
                 pub lobe: $crate::LobeRule = choice("lobe"),
                 /// How angles are stored.
-                pub format: $crate::AngleFormat = choice("format"),
+                pub format: $crate::AngleFormat = choice("format", sweep ["unorm8", "float16"]),
                 /// Terms of the compressed texture; 0 keeps all samples.
                 pub terms: u32 = whole("terms", 0..=1024, default 0),
                 /// Texels of colours and normals along a texel's side.
-                pub detail: u32 = whole("detail", 1..=16, default 2),
+                pub detail: u32 = whole("detail", 1..=16, default 2, sweep linear 1..=4),
                 /// Edges of the mesh whose faces differ by more are shaded as sharp.
                 pub crease_deg: f64 = number("crease", 0.0..=180.0 "degrees", default 60.0),
                 /// Who filters angles.
-                pub filter: $crate::gpu::Filtering = choice("filter"),
+                pub filter: $crate::gpu::Filtering = choice("filter", sweep ["native", "float16", "manual"]),
                 /// Where azimuths are looked up.
                 pub lookup: $crate::lookup::AzimuthRule = choice("lookup"),
                 $($own)*

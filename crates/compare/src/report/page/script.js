@@ -21,8 +21,8 @@
       const index = chart.colors[at];
       const own = color(index === null ? "--soft" : `--series-${index}`);
       const drawn = { ...trace, ...measure?.traces[at], textfont: { color: color("--ink"), size: 12 } };
-      for (const part of ["marker", "line"]) {
-        if (trace[part]) drawn[part] = { ...trace[part], color: own };
+      for (const part of ["marker", "line", "error_x", "error_y"]) {
+        if (drawn[part]) drawn[part] = { ...drawn[part], color: own };
       }
       return drawn;
     };
@@ -76,7 +76,9 @@
       const rows = new Map([...body.rows].map((row) => [Number(row.dataset.row), row]));
       rows.forEach((row, number) => {
         row.hidden = !front.includes(number);
-        row.querySelector("td.error").textContent = values[number] ?? "–";
+        const [value, interval] = values[number];
+        row.querySelector(".error .value").textContent = value ?? "–";
+        row.querySelector(".error .interval").textContent = interval;
       });
       front.forEach((number) => body.append(rows.get(number)));
       draw(chart);
