@@ -25,7 +25,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// A mesh with its truth, on which cells are run one after another.
-pub(super) struct Bench<'a> {
+pub(crate) struct Bench<'a> {
     scene: &'a Scene,
     gpu: &'a Gpu,
     progress: &'a dyn Progress,
