@@ -26,6 +26,16 @@ impl PictureKind {
         }
     }
 
+    /// The metric by which pictures of this kind are compared where one number has to do: the worst view is the one in which
+    /// it is largest, and the report shows it first.
+    pub fn leading_metric(self) -> &'static MetricSpec {
+        let name = match self {
+            Self::Lines => "chamfer_px",
+            Self::Fill => "boundary_chamfer_px",
+        };
+        find(name).expect("a test finds both")
+    }
+
     /// Its metrics, in the order of results and report.
     pub fn metrics(self) -> impl Iterator<Item = &'static MetricSpec> {
         METRICS.iter().filter(move |metric| metric.kind == self)
@@ -366,6 +376,14 @@ mod tests {
         assert_eq!(mean, Some(fill(25.0, Some(0.375))));
         assert_eq!(PictureMetrics::mean(&[fill(20.0, None); 2]), Some(fill(20.0, None)));
         assert_eq!(PictureMetrics::mean(&[]), None);
+    }
+
+    #[test]
+    fn the_leading_metric_of_each_kind_is_a_distance_of_that_kind() {
+        for kind in PictureKind::ALL {
+            let leading = kind.leading_metric();
+            assert_eq!((leading.kind, leading.unit, leading.better), (kind, "px", Better::Lower));
+        }
     }
 
     #[test]

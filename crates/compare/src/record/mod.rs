@@ -32,6 +32,9 @@ pub struct Cell {
     pub pen: Option<PenRecord>,
     /// Cost of the preparation.
     pub prepare: PrepareCost,
+    /// What the preparation built, in the order of completion; the method's own bytes come on top of these.
+    #[serde(default)]
+    pub artefacts: Vec<ArtefactRecord>,
     /// Cost of the timed frames.
     pub frame: FrameCost,
     /// Its scored frames in the order of the path: at least one.
@@ -42,6 +45,15 @@ pub struct Cell {
     /// Coherence along the scene's motions; none where the scene asks for none.
     #[serde(default)]
     pub coherence: Vec<CoherenceRecord>,
+}
+
+/// Data derived from the mesh that a method asked for.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ArtefactRecord {
+    /// Its name, as in [`MethodInfo::needs`](silhouette_core::method::MethodInfo::needs).
+    pub name: String,
+    /// Bytes in main memory.
+    pub bytes: u64,
 }
 
 /// Coherence along a motion.
@@ -178,6 +190,16 @@ impl Cell {
         scores().next().map(|_| share)
     }
 
+    /// The scored view that is worst by the [leading metric](PictureKind::leading_metric), the last of several that are
+    /// equally bad: by then a method that keeps state has had time to lose something. An index into `views`; `None` where
+    /// there is no view.
+    pub fn worst_view(&self) -> Option<usize> {
+        let leading = self.picture.leading_metric();
+        let error = |view: &View| (leading.value)(&view.metrics).unwrap_or(0.0);
+        let views = self.views.iter().enumerate();
+        views.max_by(|(_, one), (_, other)| error(one).total_cmp(&error(other))).map(|(index, _)| index)
+    }
+
     /// Where its pictures of lines err, averaged over the views, each counting the same.
     pub fn mean_errors(&self) -> Option<LineErrors> {
         LineErrors::mean(&self.views.iter().filter_map(|view| view.errors).collect::<Vec<_>>())
@@ -224,6 +246,7 @@ pub(crate) mod tests {
             run: 0,
             pen: Some(PenRecord { width_px: 2.0, placement: "centred".to_owned() }),
             prepare: PrepareCost { prepare_ms: 1.0, renderer_ms: 2.0, bytes: 300 },
+            artefacts: vec![ArtefactRecord { name: "topology".to_owned(), bytes: 200 }],
             frame: FrameCost {
                 frames: 20,
                 warm_up: 3,
@@ -268,7 +291,7 @@ pub(crate) mod tests {
             (view.edges, view.errors) = (None, None);
             view.metrics = PictureMetrics::Fill(FillMetrics { xor_share, ..FillMetrics::default() });
         }
-        filled
+        filled.with_intervals()
     }
 
     /// The same cell with coherence along an orbit, and a wave that it cannot follow.
@@ -327,7 +350,17 @@ pub(crate) mod tests {
         assert_eq!(cell.worst_edges(), Some(EdgeScore { found: 3, precision: 0.5, recall: 0.25 }));
         let Some(PictureMetrics::Lines(mean)) = cell.mean_metrics() else { panic!("lines") };
         assert!((mean.chamfer_px - 2.0).abs() < 1e-12 && (mean.width_mean_px - 2.0).abs() < 1e-12);
+        assert_eq!(cell.worst_view(), Some(1));
         let filled = fill_cell("a", "m", 2.0, 0.5);
         assert_eq!((filled.recall(), filled.worst_edges()), (None, None));
+    }
+
+    #[test]
+    fn of_views_that_are_equally_bad_the_last_is_the_worst() {
+        let mut cell = cell("a", "m", 2.0, 3.0);
+        cell.views.extend([view(10, 3.0), view(15, 1.0)]);
+        assert_eq!(cell.worst_view(), Some(1));
+        cell.views.clear();
+        assert_eq!(cell.worst_view(), None);
     }
 }

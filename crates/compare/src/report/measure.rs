@@ -51,6 +51,14 @@ impl Measure {
         }
     }
 
+    /// Ends of the 95 % interval of that value; `None` where none was found.
+    pub fn interval(&self, summary: &CellSummary<'_>) -> Option<[f64; 2]> {
+        match self.source {
+            Source::Metric(metric) => summary.cell.intervals.get(metric.name).copied(),
+            Source::MissedEdges => None,
+        }
+    }
+
     /// Indices of the cells that no other beats in both median frame time and this. O(cells log cells).
     pub fn front(&self, cells: &[&CellSummary<'_>]) -> Vec<usize> {
         let error = |summary: &CellSummary<'_>| match self.better {

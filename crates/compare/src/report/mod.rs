@@ -11,12 +11,18 @@
 //! | `images/*.png` | what each cell drew, the truth, the difference |
 //! | `silhouettes-report.json` | the marker by which a later run knows that it may replace the directory |
 
+mod answer;
 mod chart;
 mod coherence_table;
+mod evidence;
 mod extraction_chart;
 mod measure;
 mod page;
+mod pictures;
+mod sphere_map;
 mod summary;
+mod tables;
+mod text;
 mod where_it_errs;
 
 pub use chart::COLORS;
@@ -28,6 +34,7 @@ use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
 use crate::runner::{Comparison, LeftOut};
 use crate::scaling::{rows_of_cells, write_rows};
 use crate::scene::Scene;
+use pictures::PictureFiles;
 use serde::Serialize;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -77,12 +84,11 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     let own = rows_of_cells(&comparison.cells, &comparison.runs);
     let extractions = [own, comparison.peers.clone()].concat();
     staged.write("extraction.jsonl", &formed("extraction.jsonl", rows(&extractions))?)?;
-    for (index, set) in comparison.pictures.iter().enumerate() {
-        for (name, picture) in page::picture_names(index, set).iter().zip([&set.drawn, &set.truth, &set.difference]) {
-            staged.write(name, &formed(name, picture.to_png().map_err(io::Error::other))?)?;
-        }
+    let pictures = PictureFiles::of(&comparison.pictures);
+    for (name, picture) in &pictures.files {
+        staged.write(name, &formed(name, picture.to_png().map_err(io::Error::other))?)?;
     }
-    let page = page::render(comparison, &extractions).map_err(io::Error::other);
+    let page = page::render(comparison, &pictures, &extractions).map_err(io::Error::other);
     staged.write(PAGE, formed(PAGE, page)?.as_bytes())?;
     staged.commit()?;
     Ok(directory.join(PAGE))
@@ -138,16 +144,16 @@ mod tests {
     /// A comparison on a mesh whose name would break out of a page, a script or a table.
     pub(super) fn comparison() -> Comparison {
         let mesh = "</script><img src=x onerror=alert(1)>\",'\n{{ 7*7 }}";
-        let picture = Image { width: 2, height: 2, rgba: vec![255; 16] };
-        let set = |cell: &Cell| PictureSet {
+        let picture = |value: u8| Image { width: 2, height: 2, rgba: vec![value; 16] };
+        let set = |(index, cell): (usize, &Cell)| PictureSet {
             mesh: mesh.to_owned(),
             method: cell.method.clone(),
             options: OptionSettings::default(),
             picture: PictureKind::Lines,
             frame: 5,
-            drawn: picture.clone(),
-            truth: picture.clone(),
-            difference: picture.clone(),
+            drawn: picture(index as u8),
+            truth: picture(100),
+            difference: picture(200 + index as u8),
         };
         let cells = vec![
             sample::cell(mesh, "brute-force", 4.0, 0.25),
@@ -159,7 +165,7 @@ mod tests {
             runs: vec![sample::run()],
             methods: crate::registry::Registry::builtin().entries().to_vec(),
             left_out: Vec::new(),
-            pictures: cells.iter().map(set).collect(),
+            pictures: cells.iter().enumerate().map(set).collect(),
             cells,
             peers: (1..=4).map(|step| row("<b>peer", "m", mesh, step * 100, step as f64)).collect(),
         }
@@ -182,6 +188,7 @@ mod tests {
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
         assert_eq!((rows.len(), &rows[0][0]), (3, comparison.cells[0].mesh.name.as_str()));
         assert!(folder.join("images/001-image-precision-difference.png").is_file());
+        assert!(!folder.join("images/001-image-precision-truth.png").exists(), "the truth is written once");
         // The machine is stated once.
         let run: serde_json::Value = serde_json::from_str(&read("run.json")).unwrap();
         assert_eq!((&run["runs"][0]["cpu"], &run["scene"]["path"]["frames"]), (&"a <processor>".into(), &30.into()));

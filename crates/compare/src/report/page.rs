@@ -1,34 +1,62 @@
-//! The page: template and chart script embedded, everything that a user named escaped.
+//! The page: templates, style and scripts embedded, everything that a user named escaped.
 
-use super::chart::{self, COLORS};
+use super::answer;
+use super::chart::{self, COLORS, DARK_COLORS, look};
 use super::coherence_table;
+use super::evidence;
 use super::extraction_chart;
-use super::summary::{CellSummary, MeshSummary, baseline, summarise};
+use super::pictures::PictureFiles;
+use super::summary::{MeshSummary, summarise};
+use super::tables::{cost_row, quality_row};
+use super::text::{grouped, shown_unit};
 use super::where_it_errs;
 use crate::coherence::metrics::COHERENCE;
 use crate::machine::RunDescription;
 use crate::metrics::PictureKind;
-use crate::metrics::table::{Better, MetricSpec};
-use crate::record::Cell;
-use crate::record::label::distinguishing_options;
-use crate::runner::{Comparison, PictureSet};
+use crate::metrics::table::MetricSpec;
+use crate::runner::Comparison;
 use crate::scaling::{ExtractionRow, Series, series};
 use minijinja::{Environment, Value, context};
 
-/// Name of the template; its ending makes the engine escape values for HTML.
-const TEMPLATE: &str = "index.html";
+/// The templates; the ending of their names makes the engine escape values for HTML.
+const TEMPLATES: [(&str, &str); 5] = [
+    ("index.html", include_str!("page/index.html")),
+    ("macros.html", include_str!("page/macros.html")),
+    ("answer.html", include_str!("page/answer.html")),
+    ("tables.html", include_str!("page/tables.html")),
+    ("evidence.html", include_str!("page/evidence.html")),
+];
 
 /// The page of a comparison. It asks nothing of the network: its own policy forbids it.
-pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> Result<String, minijinja::Error> {
+pub(super) fn render(
+    comparison: &Comparison,
+    files: &PictureFiles<'_>,
+    extractions: &[ExtractionRow],
+) -> Result<String, minijinja::Error> {
     let mut environment = Environment::new();
-    environment.add_template(TEMPLATE, include_str!("template.html"))?;
+    for (name, text) in TEMPLATES {
+        environment.add_template(name, text)?;
+    }
     let summaries = summarise(&comparison.cells);
-    let meshes: Vec<Value> =
-        summaries.iter().enumerate().map(|(index, summary)| mesh_section(comparison, index, summary)).collect();
+    let machine = |summary: &MeshSummary<'_>| (comparison.runs.len() > 1).then_some(summary.run + 1);
+    let answers = summaries.iter().enumerate().flat_map(|(mesh, summary)| {
+        let id = move |kind: PictureKind| format!("answer-{mesh}-{}", kind.name());
+        PictureKind::ALL
+            .into_iter()
+            .filter_map(move |kind| answer::answer(&id(kind), kind, mesh, summary, machine(summary)))
+    });
+    let meshes: Vec<Value> = summaries
+        .iter()
+        .enumerate()
+        .map(|(index, summary)| mesh_section(comparison, files, index, summary, machine(summary)))
+        .collect();
     let is_there = |kind: &PictureKind| comparison.cells.iter().any(|cell| cell.picture == *kind);
     let kinds = PictureKind::ALL.into_iter().filter(is_there);
     let scene = &comparison.scene;
-    environment.get_template(TEMPLATE)?.render(context! {
+    environment.get_template("index.html")?.render(context! {
+        style => Value::from_safe_string(style()),
+        chart_script => Value::from_safe_string(chart::script()),
+        script => Value::from_safe_string(include_str!("page/script.js").to_owned()),
         scene => &scene.name,
         size => scene.picture.size(),
         samples => scene.picture.samples,
@@ -36,172 +64,103 @@ pub(super) fn render(comparison: &Comparison, extractions: &[ExtractionRow]) -> 
         scored => scene.path.scored,
         frames => scene.path.frames,
         warm_up => scene.path.warm_up,
+        passes => scene.path.passes,
         runs => comparison.runs.iter().map(RunDescription::facts).collect::<Vec<_>>(),
         is_debug => comparison.runs.iter().any(|run| run.build == "debug"),
         is_software => comparison.runs.iter().any(|run| run.adapter.software),
         methods => methods(comparison),
+        answers => answers.collect::<Vec<_>>(),
         meshes => meshes,
         left_out => comparison.left_out.iter().map(ToString::to_string).collect::<Vec<_>>(),
         extraction => extraction_section(extractions),
         metrics => kinds.flat_map(PictureKind::metrics).map(metric_row).collect::<Vec<_>>(),
-        coherence_columns => COHERENCE.map(|spec| context! { title => spec.title, unit => spec.unit, summary => spec.summary }),
-        chart_script => Value::from_safe_string(chart::script()),
+        coherence_columns => COHERENCE.map(|spec| context! { title => spec.title, unit => shown_unit(spec.unit), summary => spec.summary }),
     })
 }
 
-/// Paths of a set's pictures inside of the report. They hold no text of a user's.
-pub(super) fn picture_names(index: usize, set: &PictureSet) -> [String; 3] {
-    ["drawn", "truth", "difference"].map(|what| format!("images/{index:03}-{}-{what}.png", set.method))
+/// The style sheet, with the colours of series in light and dark mode.
+fn style() -> String {
+    let variables = |colors: [&str; 8]| {
+        let each = colors.iter().enumerate().map(|(series, color)| format!("--series-{series}: {color};"));
+        each.collect::<Vec<_>>().join(" ")
+    };
+    let [light, dark] = [COLORS, DARK_COLORS].map(variables);
+    let colors =
+        format!(":root {{ {light} }}\n@media screen and (prefers-color-scheme: dark) {{ :root {{ {dark} }} }}\n");
+    let dots = (0..COLORS.len()).map(|series| format!(".c{series} {{ background: var(--series-{series}); }}\n"));
+    colors + &dots.collect::<String>() + include_str!("page/style.css")
 }
 
-/// Which series of the page a cell is: one for each method with its options, whatever the mesh.
-fn series_of(cells: &[Cell], cell: &Cell) -> usize {
-    let mut seen: Vec<(&str, String)> = Vec::new();
-    for other in cells {
-        let choice = (other.method.as_str(), other.options.to_string());
-        let is_new = !seen.contains(&choice);
-        if other.method == cell.method && other.options == cell.options {
-            return if is_new { seen.len() } else { seen.iter().position(|one| *one == choice).unwrap_or(0) };
-        }
-        if is_new {
-            seen.push(choice);
-        }
-    }
-    0
-}
-
-fn mesh_section(comparison: &Comparison, index: usize, summary: &MeshSummary<'_>) -> Value {
-    let series = |cell: &CellSummary<'_>| series_of(&comparison.cells, cell.cell);
-    let color = |cell: &CellSummary<'_>| COLORS[series(cell) % COLORS.len()];
+fn mesh_section(
+    comparison: &Comparison,
+    files: &PictureFiles<'_>,
+    index: usize,
+    summary: &MeshSummary<'_>,
+    machine: Option<usize>,
+) -> Value {
     let section = |kind: PictureKind| {
         let cells = summary.of_kind(kind);
-        let id = format!("chart-{index}-{}", kind.name());
-        let sets = comparison.pictures.iter().enumerate();
-        let sets = sets.filter(|(at, set)| {
-            set.mesh == summary.mesh.name && set.picture == kind && comparison.cells[*at].run == summary.run
-        });
+        let groups = files.groups(&cells);
+        let id = |group: usize| format!("mesh-{index}-{}-{group}", kind.name());
+        let groups = groups.iter().enumerate();
         (!cells.is_empty()).then(|| {
             context! {
-                title => match kind { PictureKind::Lines => "Lines", PictureKind::Fill => "Filled pictures" },
+                title => answer::title(kind),
                 is_lines => kind == PictureKind::Lines,
-                chart => Value::from_safe_string(chart::chart(&id, kind, &cells, series)),
                 metrics => kind.metrics().map(metric_row).collect::<Vec<_>>(),
-                rows => cells.iter().map(|cell| quality_row(kind, &cells, cell, color(cell))).collect::<Vec<_>>(),
-                errors => cells.iter().filter_map(|cell| where_it_errs::row(cell, color(cell))).collect::<Vec<_>>(),
-                pictures => sets.map(|(at, set)| picture_row(comparison, at, set)).collect::<Vec<_>>(),
+                rows => cells.iter().map(|cell| quality_row(kind, &cells, cell)).collect::<Vec<_>>(),
+                errors => cells.iter().filter_map(|cell| where_it_errs::row(cell)).collect::<Vec<_>>(),
+                groups => groups.map(|(at, group)| evidence::section(&id(at), comparison, files, group)).collect::<Vec<_>>(),
             }
         })
     };
     context! {
         name => &summary.mesh.name,
-        machine => (comparison.runs.len() > 1).then_some(summary.run + 1),
+        machine => machine,
         vertices => grouped(summary.mesh.vertices),
         edges => grouped(summary.mesh.edges),
         faces => grouped(summary.mesh.faces),
         inward => (summary.mesh.inward_faces > 0).then(|| grouped(summary.mesh.inward_faces)),
         visible_length => format!("{:.0}", summary.visible_length_px),
+        row => summary.cells.first().map(|cell| cell.row),
         kinds => PictureKind::ALL.into_iter().filter_map(section).collect::<Vec<_>>(),
-        coherence => coherence_table::rows(summary, color),
-        costs => summary.cells.iter().map(|cell| cost_row(cell, color(cell))).collect::<Vec<_>>(),
-    }
-}
-
-fn quality_row(kind: PictureKind, cells: &[&CellSummary<'_>], summary: &CellSummary<'_>, color: &str) -> Value {
-    let is_best = |metric: &MetricSpec| {
-        let value = (metric.value)(&summary.metrics);
-        let others = || cells.iter().filter_map(|other| (metric.value)(&other.metrics));
-        let is_beaten = |value: f64| match metric.better {
-            Better::Lower => others().any(|other| other < value),
-            Better::Higher => others().any(|other| other > value),
-            Better::NearPenWidth => true,
-        };
-        cells.len() > 1 && value.is_some_and(|value| !is_beaten(value))
-    };
-    let metrics = kind.metrics().map(|metric| {
-        let text = (metric.value)(&summary.metrics).map(|value| metric_text(metric, value));
-        context! { text => text.unwrap_or_else(|| "–".to_owned()), best => is_best(metric) }
-    });
-    let worst = summary.cell.worst_edges();
-    let is_wrong = worst.is_some_and(|edges| edges.precision < 1.0 || edges.recall < 1.0);
-    context! {
-        method => &summary.cell.method,
-        options => summary.options.to_string(),
-        color => color,
-        pen => summary.cell.pen.as_ref().map(|pen| format!("{} px, {}", pen.width_px, pen.placement)),
-        metrics => metrics.collect::<Vec<_>>(),
-        edges => match (worst, summary.cell.recall()) {
-            (Some(worst), Some(recall)) if is_wrong => {
-                let percent = |share: f64| format!("{:.2} %", share * 100.0);
-                let missed = format!("recall {}, worst frame {}", percent(recall), percent(worst.recall));
-                let is_precise = worst.precision >= 1.0;
-                if is_precise { missed } else { format!("{missed}; precision {}", percent(worst.precision)) }
-            }
-            (Some(_), _) => "all, exact".to_owned(),
-            (None, _) => "draws only".to_owned(),
-        },
-        edges_wrong => is_wrong,
-    }
-}
-
-fn cost_row(summary: &CellSummary<'_>, color: &str) -> Value {
-    let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), milliseconds);
-    let ratio = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3}"));
-    let Cell { prepare, frame, picture, .. } = summary.cell;
-    context! {
-        method => &summary.cell.method,
-        options => summary.options.to_string(),
-        color => color,
-        baseline => baseline(*picture),
-        prepare => milliseconds(prepare.prepare_ms),
-        renderer => milliseconds(prepare.renderer_ms),
-        bytes => megabytes(prepare.bytes),
-        extract => optional(frame.extract_ms.map(|spread| spread.median)),
-        gpu => optional(frame.gpu_ms.map(|spread| spread.median)),
-        median => milliseconds(frame.frame_ms.median),
-        p95 => milliseconds(frame.frame_ms.p95),
-        max => milliseconds(frame.frame_ms.max),
-        frame_ratio => ratio(summary.frame_ratio),
-        extract_ratio => ratio(summary.extract_ratio),
-    }
-}
-
-fn picture_row(comparison: &Comparison, index: usize, set: &PictureSet) -> Value {
-    let [drawn, truth, difference] = picture_names(index, set).map(Value::from_safe_string);
-    let options = comparison.cells.get(index).map(|cell| distinguishing_options(cell, &comparison.cells).to_string());
-    context! {
-        method => &set.method, options => options, frame => set.frame,
-        width => set.drawn.width, height => set.drawn.height,
-        drawn => drawn, truth => truth, difference => difference,
+        coherence => coherence_table::rows(summary),
+        costs => summary.cells.iter().map(cost_row).collect::<Vec<_>>(),
     }
 }
 
 /// Times of extraction over faces; nothing where no method extracts edges and there are no peers.
 fn extraction_section(rows: &[ExtractionRow]) -> Option<Value> {
     let all = series(rows);
-    let colors = || COLORS.iter().cycle();
-    let rows: Vec<Value> = all.iter().zip(colors()).map(|(series, color)| series_row(series, color)).collect();
-    (!rows.is_empty()).then(|| {
-        context! { chart => Value::from_safe_string(extraction_chart::chart("chart-extraction", &all)), rows => rows }
+    let chart = chart::in_page(&extraction_chart::chart(&all));
+    let table = all.iter().enumerate().map(|(index, series)| series_row(rows, index, series));
+    (!all.is_empty()).then(|| {
+        context! { chart => Value::from_safe_string(chart), rows => table.collect::<Vec<_>>() }
     })
 }
 
-fn series_row(series: &Series<'_>, color: &str) -> Value {
+fn series_row(all: &[ExtractionRow], index: usize, series: &Series<'_>) -> Value {
     let growth = series.growth();
     let range = |value: fn(&ExtractionRow) -> f64, text: fn(f64) -> String| {
         let values = || series.rows.iter().map(|row| value(row));
         let [low, high] = [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)].map(text);
         if low == high { low } else { format!("{low} to {high}") }
     };
+    let places = series.rows.iter().filter_map(|row| all.iter().position(|other| std::ptr::eq(other, *row)));
+    let places: Vec<String> = places.map(|place| (place + 1).to_string()).collect();
+    let [color, shape] = look(index);
     context! {
         label => &series.label,
         color => color,
+        shape => shape,
+        places => places.join(", "),
         meshes => series.rows.len(),
         faces => range(|row| row.faces as f64, |faces| grouped(faces as usize)),
         median => range(|row| row.median_ms, |time| format!("{time:.4}")),
         speed => range(|row| row.edges_per_second / 1e6, |speed| format!("{speed:.1}")),
         exponent => growth.as_ref().map(|growth| format!("{:.2}", growth.law.exponent)),
         r2 => growth.as_ref().map(|growth| format!("{:.3}", growth.law.r2)),
-        shape => growth.map(|growth| growth.shape.unwrap_or_else(|| "all meshes".to_owned())),
+        fitted => growth.map(|growth| growth.shape.unwrap_or_else(|| "all meshes".to_owned())),
         machine => series.rows.first().map(|row| &row.machine),
     }
 }
@@ -212,7 +171,7 @@ fn methods(comparison: &Comparison) -> Vec<Value> {
         context! {
             name => info.name,
             summary => info.summary,
-            source => format!("{}. {}. {}, {}.", info.source.authors, info.source.title, info.source.venue, info.source.year),
+            source => evidence::citation(entry),
             needs => if info.needs.is_empty() { "positions and triangles".to_owned() } else { info.needs.join(", ") },
             options => info.options.iter().map(|option| option.name).collect::<Vec<_>>().join(", "),
         }
@@ -222,29 +181,7 @@ fn methods(comparison: &Comparison) -> Vec<Value> {
 
 fn metric_row(metric: &MetricSpec) -> Value {
     let MetricSpec { name, title, unit, best, worst, summary, .. } = *metric;
-    context! { name => name, title => title, unit => unit, best => best, worst => worst, summary => summary }
-}
-
-/// Shares are shown in per cent, as the head of the table says.
-fn metric_text(metric: &MetricSpec, value: f64) -> String {
-    if metric.unit == "share" { format!("{:.2}", value * 100.0) } else { format!("{value:.2}") }
-}
-
-fn milliseconds(value: f64) -> String {
-    if value < 10.0 { format!("{value:.2}") } else { format!("{value:.1}") }
-}
-
-fn megabytes(bytes: u64) -> String {
-    format!("{:.2}", bytes as f64 / 1e6)
-}
-
-/// A count with thin spaces between groups of three digits.
-fn grouped(count: usize) -> String {
-    let digits = count.to_string();
-    let head = digits.len() % 3;
-    let groups = digits.as_bytes()[head..].chunks(3).map(|group| String::from_utf8_lossy(group).into_owned());
-    let first = (head > 0).then(|| digits[..head].to_owned());
-    first.into_iter().chain(groups).collect::<Vec<_>>().join("\u{202f}")
+    context! { name => name, title => title, unit => unit, shown_unit => shown_unit(unit), best => best, worst => worst, summary => summary }
 }
 
 #[cfg(test)]
@@ -259,16 +196,16 @@ mod tests {
 
     fn rendered(comparison: &Comparison) -> String {
         let extractions = [rows_of_cells(&comparison.cells, &comparison.runs), comparison.peers.clone()].concat();
-        render(comparison, &extractions).unwrap()
+        render(comparison, &PictureFiles::of(&comparison.pictures), &extractions).unwrap()
     }
 
     #[test]
     fn extraction_times_stand_beside_those_of_peers() {
         let page = rendered(&comparison());
-        assert!(page.contains("id=\"chart-extraction\"") && page.contains("&lt;b&gt;peer: m</td>"));
+        assert!(page.contains("data-chart=\"extraction-chart\"") && page.contains("&lt;b&gt;peer: m<span"));
         assert!(page.contains("<td>1.00</td><td>1.000</td><td>all meshes</td>"), "the peer's growth is stated");
         let alone = Comparison { peers: Vec::new(), cells: Vec::new(), ..comparison() };
-        assert!(!rendered(&alone).contains("chart-extraction"));
+        assert!(!rendered(&alone).contains("extraction-chart"));
     }
 
     #[test]
@@ -316,8 +253,8 @@ mod tests {
         for text in [
             "images/000-brute-force-drawn.png",
             "images/001-image-precision-difference.png",
-            "id=\"chart-0-lines\"",
-            "id=\"chart-0-fill\"",
+            "id=\"answer-0-lines\"",
+            "id=\"mesh-0-fill-0\"",
         ] {
             assert!(page.contains(text), "{text}");
         }
@@ -338,9 +275,9 @@ mod tests {
         }
         let page = rendered(&comparison);
         for options in ["concavity=0", "concavity=0.5"] {
-            // In the table of quality, the three of errors, and that of cost.
+            // In the answer, the table of quality, the three of errors, and that of cost.
             let row = format!("tracking<span class=\"options\">{options}</span>");
-            assert_eq!(page.matches(&row).count(), 5, "{options}");
+            assert_eq!(page.matches(&row).count(), 6, "{options}");
             assert!(page.contains(&format!("tracking ({options})")), "{options} in the chart");
         }
     }
@@ -376,10 +313,5 @@ mod tests {
         let page = rendered(&comparison());
         assert!(page.contains("A frame is one submission") && page.contains("nothing is read back inside the clock"));
         assert!(page.contains("6 of them are scored"));
-    }
-
-    #[test]
-    fn counts_are_grouped() {
-        assert_eq!([7, 123, 1234, 1_234_567].map(grouped), ["7", "123", "1\u{202f}234", "1\u{202f}234\u{202f}567"]);
     }
 }

@@ -26,6 +26,10 @@ pub struct MeshSummary<'a> {
 pub struct CellSummary<'a> {
     /// The cell.
     pub cell: &'a Cell,
+    /// Its line in `results.jsonl`, from 1.
+    pub row: usize,
+    /// Which series of the page it is: one for each method with its options, whatever the mesh; decides colour and shape.
+    pub series: usize,
     /// The method's name, with the options that distinguish it from others of the method.
     pub label: String,
     /// Those options.
@@ -56,16 +60,26 @@ impl<'a> MeshSummary<'a> {
 /// Groups cells by mesh and run, in the order of each group's first cell. O(cells squared).
 pub fn summarise(cells: &[Cell]) -> Vec<MeshSummary<'_>> {
     let mut meshes: Vec<MeshSummary<'_>> = Vec::new();
-    for cell in cells {
-        let Some(metrics) = cell.mean_metrics() else { continue };
-        let at = meshes.iter().position(|mesh| *mesh.mesh == cell.mesh && mesh.run == cell.run).unwrap_or_else(|| {
-            let lengths = || cell.views.iter().map(|view| view.truth.visible_length_px);
-            let visible_length_px = lengths().sum::<f64>() / lengths().count() as f64;
-            meshes.push(MeshSummary { mesh: &cell.mesh, run: cell.run, visible_length_px, cells: Vec::new() });
-            meshes.len() - 1
+    let mut choices: Vec<(&str, &OptionSettings)> = Vec::new();
+    for (at, cell) in cells.iter().enumerate() {
+        let choice = (cell.method.as_str(), &cell.options);
+        let series = choices.iter().position(|known| *known == choice).unwrap_or_else(|| {
+            choices.push(choice);
+            choices.len() - 1
         });
-        meshes[at].cells.push(CellSummary {
+        let row = at + 1;
+        let Some(metrics) = cell.mean_metrics() else { continue };
+        let mesh =
+            meshes.iter().position(|mesh| *mesh.mesh == cell.mesh && mesh.run == cell.run).unwrap_or_else(|| {
+                let lengths = || cell.views.iter().map(|view| view.truth.visible_length_px);
+                let visible_length_px = lengths().sum::<f64>() / lengths().count() as f64;
+                meshes.push(MeshSummary { mesh: &cell.mesh, run: cell.run, visible_length_px, cells: Vec::new() });
+                meshes.len() - 1
+            });
+        meshes[mesh].cells.push(CellSummary {
             cell,
+            row,
+            series,
             label: label(cell, cells),
             options: distinguishing_options(cell, cells),
             metrics,
@@ -113,6 +127,15 @@ mod tests {
         assert_eq!(ratios(1), [None], "no baseline on this mesh");
         assert_eq!(meshes[0].cells[1].extract_ratio, Some(0.25));
         assert_eq!(meshes[0].of_kind(PictureKind::Fill).len(), 2);
+    }
+
+    #[test]
+    fn a_method_is_one_series_on_every_mesh_and_rows_count_all_cells() {
+        let level = |mesh, level| with_option(cell(mesh, "m", 1.0, 0.0), "level", OptionSetting::Number(level));
+        let cells = [level("a", 1.0), level("a", 2.0), cell("a", "n", 1.0, 0.0), level("b", 2.0)];
+        let meshes = summarise(&cells);
+        let places = |mesh: usize| meshes[mesh].cells.iter().map(|cell| (cell.row, cell.series)).collect::<Vec<_>>();
+        assert_eq!((places(0), places(1)), (vec![(1, 0), (2, 1), (3, 2)], vec![(4, 1)]));
     }
 
     #[test]

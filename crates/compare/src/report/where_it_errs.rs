@@ -1,6 +1,7 @@
 //! Where pictures of lines err, for people: a row of numbers and a sentence per cell.
 
 use super::summary::CellSummary;
+use super::tables::who;
 use crate::metrics::LineErrors;
 use minijinja::{Value, context};
 
@@ -8,14 +9,12 @@ use minijinja::{Value, context};
 const WORTH_SAYING: f64 = 5e-4;
 
 /// The row of a cell; nothing for one whose pictures are not of lines.
-pub(super) fn row(summary: &CellSummary<'_>, color: &str) -> Option<Value> {
+pub(super) fn row(summary: &CellSummary<'_>) -> Option<Value> {
     let errors = summary.cell.mean_errors()?;
     let e = &errors;
     let of_true = |part: f64| percent(part, e.true_px());
     Some(context! {
-        method => &summary.cell.method,
-        options => summary.options.to_string(),
-        color => color,
+        who => who(summary),
         missed => of_true(e.missed_px()),
         missed_parts => [
             percent(e.missed_silhouette_px, e.true_silhouette_px),
@@ -148,11 +147,11 @@ mod tests {
         lines.views[0].errors = Some(errors());
         let cells = [lines, fill_cell("a", "n", 1.0, 0.0)];
         let meshes = summarise(&cells);
-        let row = row(&meshes[0].cells[0], "#000").unwrap();
+        let row = row(&meshes[0].cells[0]).unwrap();
         assert_eq!(row.get_attr("missed").unwrap().to_string(), "50.0");
         let parts = row.get_attr("missed_parts").unwrap();
         let shown: Vec<String> = parts.try_iter().unwrap().map(|part| part.to_string()).collect();
         assert_eq!(shown, ["0.0", "–", "100.0", "–", "–", "–", "0.0"]);
-        assert!(super::row(&meshes[0].cells[1], "#000").is_none());
+        assert!(super::row(&meshes[0].cells[1]).is_none());
     }
 }

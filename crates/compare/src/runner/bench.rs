@@ -11,11 +11,12 @@ use crate::cost::{FrameCost, PrepareCost};
 use crate::drawing::{DrawError, Drawing, FrameStyle, Ground};
 use crate::metrics::PictureKind;
 use crate::options::OptionSettings;
-use crate::record::{CameraRecord, Cell, PenRecord, View};
+use crate::record::{ArtefactRecord, CameraRecord, Cell, PenRecord, View};
 use crate::scene::{MethodChoice, Scene};
 use rayon::prelude::*;
 use silhouette_core::Progress;
 use silhouette_core::method::PrepareError;
+use silhouette_core::prepared::ArtefactReport;
 use silhouette_core::view::Camera;
 use silhouette_gpu::PenPlacement;
 use silhouette_render::Gpu;
@@ -24,7 +25,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// A mesh with its truth, on which cells are run one after another.
-pub(super) struct Bench<'a> {
+pub(crate) struct Bench<'a> {
     scene: &'a Scene,
     gpu: &'a Gpu,
     progress: &'a dyn Progress,
@@ -66,7 +67,7 @@ impl<'a> Bench<'a> {
         let frames = self.cameras.len() as u64 * u64::from(self.scene.path.passes);
         self.progress.stage(&format!("{mesh}: {method}"), frames);
         let prepared = self.prepare(choice);
-        let (mut drawing, prepare) = match prepared {
+        let (mut drawing, prepare, artefacts) = match prepared {
             Err(DrawError::Prepare(PrepareError::Mesh(reason))) => {
                 let method = method.to_owned();
                 return Ok(Outcome::LeftOut(LeftOut { mesh, method, reason: reason.to_string() }));
@@ -75,19 +76,23 @@ impl<'a> Bench<'a> {
         };
         let options = OptionSettings::from(&choice.options);
         let (mut cell, pictures) = self.score_source(&mut drawing, method, options, prepare)?;
+        cell.artefacts = artefacts;
         if let Some(coherence) = &mut self.coherence {
             cell.coherence = coherence.run(&mut drawing, method, self.gpu, self.progress)?;
         }
         Ok(Outcome::Measured { cell: Box::new(cell), pictures: Box::new(pictures) })
     }
 
-    /// Prepares a method for a mesh that nothing was derived from, so that its time holds everything it needs.
-    fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost), DrawError> {
+    /// Prepares a method for a mesh that nothing was derived from, so that its time and its artefacts hold everything it needs.
+    fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost, Vec<ArtefactRecord>), DrawError> {
         let fresh = Arc::new(self.subject.mesh.mesh.fresh());
         let start = Instant::now();
         let prepared = choice.entry.prepare(&fresh, &choice.options, self.progress)?;
         let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
-        let bytes = prepared.bytes() + fresh.report().iter().map(|artefact| artefact.bytes).sum::<usize>();
+        let built = fresh.report();
+        let bytes = prepared.bytes() + built.iter().map(|artefact| artefact.bytes).sum::<usize>();
+        let record = |built: &ArtefactReport| ArtefactRecord { name: built.name.to_owned(), bytes: built.bytes as u64 };
+        let artefacts = built.iter().map(record).collect();
 
         let Scene { picture, pen, .. } = self.scene;
         let ground = match choice.picture {
@@ -99,7 +104,7 @@ impl<'a> Bench<'a> {
         let start = Instant::now();
         let drawing = Drawing::new(self.gpu, &fresh, prepared, choice.picture, style)?;
         let renderer_ms = start.elapsed().as_secs_f64() * 1000.0;
-        Ok((drawing, PrepareCost { prepare_ms, renderer_ms, bytes: bytes as u64 }))
+        Ok((drawing, PrepareCost { prepare_ms, renderer_ms, bytes: bytes as u64 }, artefacts))
     }
 
     /// Follows the path with whatever draws the frames, and scores what was kept.
@@ -124,19 +129,6 @@ impl<'a> Bench<'a> {
         let views: Vec<View> = (0..scores.len()).map(view).collect();
 
         let warm_up = self.scene.path.warm_up;
-        // By the last scored frame a method that keeps state has had time to lose something.
-        let pictured = views.len() - 1;
-        let [drawn, truth, difference] = scores[pictured].pictures.clone();
-        let pictures = PictureSet {
-            mesh: mesh.clone(),
-            method: method.to_owned(),
-            options: options.clone(),
-            picture: output.kind(),
-            frame: views[pictured].frame,
-            drawn,
-            truth,
-            difference,
-        };
         let cell = Cell {
             mesh: self.truths.mesh.clone(),
             method: method.to_owned(),
@@ -151,10 +143,23 @@ impl<'a> Bench<'a> {
                 Output::Fill => None,
             },
             prepare,
+            artefacts: Vec::new(),
             frame: FrameCost::of(&followed.passes, warm_up).expect("every scene times at least one frame"),
             views,
             intervals: BTreeMap::new(),
             coherence: Vec::new(),
+        };
+        let pictured = cell.worst_view().expect("every scene scores at least one frame");
+        let [drawn, truth, difference] = scores[pictured].pictures.clone();
+        let pictures = PictureSet {
+            mesh: mesh.clone(),
+            method: method.to_owned(),
+            options: cell.options.clone(),
+            picture: cell.picture,
+            frame: cell.views[pictured].frame,
+            drawn,
+            truth,
+            difference,
         };
         Ok((cell.with_intervals(), pictures))
     }

@@ -98,7 +98,7 @@ impl std::fmt::Display for LeftOut {
     }
 }
 
-/// Pictures of the last scored frame of a cell.
+/// Pictures of the [worst scored view](Cell::worst_view) of a cell.
 #[derive(Debug, Clone)]
 pub struct PictureSet {
     /// Name of the mesh.
