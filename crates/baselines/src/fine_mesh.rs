@@ -1,7 +1,7 @@
 //! [`FineMesh`]: the mesh itself, drawn as it is.
 
 use crate::shading::Shading;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
 use std::sync::Arc;
@@ -39,6 +39,15 @@ impl Method for FineMesh {
         exact: false,
         needs: &[],
         options: FineMeshOptions::SPECS,
+        guide: MethodGuide {
+            origin: "the mesh itself, rasterised",
+            yields: "a filled image",
+            accuracy: "no: as smooth as its triangles are small",
+            cost: "O(F) on the adapter",
+            memory: "12 bytes per vertex and per face on the adapter",
+            choose_when: "you need the baseline that filled images are compared with",
+            limits: "a coarse mesh shows its corners",
+        },
     };
 
     fn prepare(

@@ -29,6 +29,11 @@ pub enum Command {
     /// Say which adapter draws, what runs where, and the remedy where nothing does
     #[command(after_help = "Examples:\n  silhouettes doctor\n  SILHOUETTES_ADAPTER=software silhouettes doctor")]
     Doctor,
+    /// Say what each method yields, needs, costs and misses, when to choose it, and which options it has
+    #[command(
+        after_help = "Examples:\n  silhouettes methods\n  silhouettes methods tracking\n  silhouettes methods --json"
+    )]
+    Methods(MethodsArguments),
     /// Count and check a mesh: components, genus, boundary loops and every defect with its ids
     #[command(after_help = "Examples:\n  silhouettes inspect bunny.obj\n  silhouettes inspect builtin:moebius --json")]
     Inspect(InspectArguments),
@@ -94,7 +99,7 @@ pub enum Command {
         silhouettes bake bunny.obj --set size=512 --set hull-vertices=1000 -o bunny.siltex\n  \
         silhouettes bake builtin:torus --set size=128 --set terms=16 -o torus.siltex\n  \
         silhouettes bake bunny.obj --hull cage.obj -o bunny.siltex\n\n\
-        Options are those of the method texture; `silhouettes doctor` lists methods. A bake that was interrupted goes on where it was\n\
+        Options are those of the method texture, which `silhouettes methods texture` lists. A bake that was interrupted goes on where it was\n\
         when the same command is given again: what is finished lies in FILE.checkpoint, which is removed at the end. The file is\n\
         drawn by `silhouettes render FILE --method texture`, `texture-lines` or `normal-map-hull`; docs/formats/siltex.md describes it.")]
     Bake(BakeArguments),
@@ -148,9 +153,19 @@ impl Command {
         match self {
             Self::Doctor | Self::Render(_) | Self::Smooth(_) | Self::Compare(_) | Self::Reproduce(_) => true,
             Self::Lines(arguments) => arguments.quick,
-            Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) | Self::Merge(_) => false,
+            Self::Methods(_) | Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) | Self::Merge(_) => false,
         }
     }
+}
+
+/// Arguments of `methods`.
+#[derive(Debug, Args)]
+pub struct MethodsArguments {
+    /// Name of a method, of which all is said [default: each in short]
+    pub method: Option<String>,
+    /// All that is known as JSON, an array of methods
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `inspect`.

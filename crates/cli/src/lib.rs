@@ -21,6 +21,7 @@ mod lines;
 mod merge;
 mod mesa;
 mod mesh_argument;
+mod methods;
 mod out_of_view;
 mod output;
 mod progress;
@@ -33,13 +34,14 @@ mod winding;
 pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 
 use args::{Arguments, Command};
-use clap::Parser;
+use clap::FromArgMatches;
 use failure::Failure;
 use std::process::ExitCode;
 
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {
-    let result = match Arguments::try_parse_from(spoken::joined(std::env::args_os())) {
+    let matches = methods::command(registry).try_get_matches_from(spoken::joined(std::env::args_os()));
+    let result = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => {
             if arguments.command.may_open_device() {
                 mesa::silence();
@@ -66,6 +68,7 @@ pub fn run(registry: &Registry) -> ExitCode {
 fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
     match command {
         Command::Doctor => doctor::run(registry),
+        Command::Methods(arguments) => methods::run(&arguments, registry),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Extract(arguments) => extract::run(&arguments, registry),
         Command::Lines(arguments) => lines::run(&arguments),

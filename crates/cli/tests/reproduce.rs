@@ -25,6 +25,9 @@ fn tables_chart_and_page_of_built_in_meshes() {
     }
     let rows = fs::read_to_string(target.join("tables.jsonl")).unwrap();
     let rows: Vec<Value> = rows.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let sheet = fs::read_to_string(target.join("tables.csv")).unwrap();
+    assert!(sheet.starts_with("method,table,row,metric,unit,paper,ours,ratio,comparable,note\n"), "{sheet}");
+    assert_eq!(sheet.lines().count(), rows.len() + 1, "a row for each figure");
     let find = |row: &str, metric: &str| {
         rows.iter().find(|figure| figure["row"] == row && figure["metric"] == metric).unwrap_or_else(|| panic!("{row}"))
     };

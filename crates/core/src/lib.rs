@@ -63,7 +63,9 @@ pub use facing_memo::FacingMemo;
 pub use id::{EdgeId, FaceId, HalfEdgeId, PerElement, VertexId};
 pub use loops::SilhouetteLoops;
 pub use mesh::{MeshError, TriangleMesh};
-pub use method::{ExtractsCurves, ExtractsEdges, ExtractsLoops, Method, MethodInfo, MethodOptions, NoOptions};
+pub use method::{
+    ExtractsCurves, ExtractsEdges, ExtractsLoops, Method, MethodGuide, MethodInfo, MethodOptions, NoOptions,
+};
 pub use prepared::PreparedMesh;
 pub use progress::{Cancelled, NoProgress, Progress};
 pub use silhouette::{SilhouetteEdges, silhouette_edges};

@@ -14,10 +14,12 @@
 //! | extracts curves | [`ExtractsCurves`] | smooth pieces in open or closed chains |
 //! | draws lines | `silhouette_gpu::DrawsLines` | ink in somebody's render pass |
 
+mod guide;
 mod options;
 mod sweep;
 mod typed_options;
 
+pub use guide::MethodGuide;
 pub use options::{OptionError, OptionKind, OptionSpec, OptionValue, OptionValues};
 pub use sweep::Sweep;
 pub use typed_options::{MethodOptions, NoOptions, OptionChoice, OptionField};
@@ -61,6 +63,8 @@ pub struct MethodInfo {
     pub needs: &'static [&'static str],
     /// Its options with ranges and defaults: the [`SPECS`](MethodOptions::SPECS) of [`Method::Options`].
     pub options: &'static [OptionSpec],
+    /// What a reader needs in order to choose it.
+    pub guide: MethodGuide,
 }
 
 /// Why a method cannot be prepared for a mesh.

@@ -17,8 +17,8 @@ use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::silhouette::is_silhouette_edge;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, FaceFacings, Method, MethodInfo, MethodOptions, NoOptions, PreparedMesh, Progress,
-    SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceFacings, Method, MethodGuide, MethodInfo, MethodOptions, NoOptions, PreparedMesh,
+    Progress, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -46,6 +46,15 @@ impl Method for BruteForce {
         exact: true,
         needs: &[Topology::NAME],
         options: NoOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Hall 2003, as its baseline",
+            yields: "exact edges and loops",
+            accuracy: "all edges and no others, to the last bit",
+            cost: "O(F + S log S), one thread",
+            memory: "36 bytes per edge, all of it topology",
+            choose_when: "you want the plainest code that is right: the oracle of all others",
+            limits: "evaluates every face in every view, on one thread",
+        },
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

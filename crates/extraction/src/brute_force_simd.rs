@@ -28,8 +28,8 @@ use silhouette_core::glam::Vec3;
 use silhouette_core::method::{ExtractionStats, ExtractsMovingEdges, PositionsError, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, FaceId, Method, MethodInfo, MethodOptions, NoOptions, PreparedMesh, Progress,
-    SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, VertexId, Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceId, Method, MethodGuide, MethodInfo, MethodOptions, NoOptions, PreparedMesh,
+    Progress, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, VertexId, Viewpoint,
 };
 use std::sync::Arc;
 
@@ -67,6 +67,17 @@ impl Method for BruteForceSimd {
         exact: true,
         needs: &[FacePatches::NAME, Topology::NAME],
         options: NoOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Hall's definition; data layout our own",
+            yields: "exact edges and loops",
+            accuracy: "all edges and no others, to the last bit",
+            cost: "O(F + S), all threads",
+            memory: "18 bytes per edge for patches, 11 of them beyond the edge table",
+            choose_when: "you want all edges of a view at the speed of memory, whatever the view before; of a mesh \
+                          that moves a little in each frame `tracking-exact` has them sooner (`cargo bench --bench \
+                          kernels -- moving`), if its topology can be tracked",
+            limits: "evaluates every face in every view: time grows with the mesh, however short its silhouette is",
+        },
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

@@ -5,7 +5,7 @@ use crate::options::ImagePrecisionOptions;
 use crate::polygons::Polygons;
 use crate::settings::{ExtraEdges, Settings};
 use silhouette_core::Topology;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
 use std::sync::Arc;
@@ -35,6 +35,19 @@ impl Method for ImagePrecision {
         exact: false,
         needs: &[],
         options: ImagePrecisionOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Raskar and Cohen 1999, every variant; `screen`, the default, is our own",
+            yields: "ink",
+            accuracy: "no: `screen` missed nothing on six closed models",
+            cost: "O(F) on the adapter, none on the processor",
+            memory: "24 bytes per face, `screen` 24 to 32 more",
+            choose_when: "there is no adjacency, or it changes every frame: even lines from a triangle soup at about \
+                          the cost of drawing it. Positions are replaced in the device's buffer each frame \
+                          (`MeshBuffers::set_positions`, or a buffer of your own); new triangles take new buffers",
+            limits: "boundary edges of open meshes have no ink unless `extra-edges` asks for it, which builds the \
+                     topology; lines between parts of a pixel or two turn grey; where four faces share an edge a \
+                     silhouette edge may be dropped",
+        },
     };
 
     fn prepare(

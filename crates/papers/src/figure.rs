@@ -1,4 +1,4 @@
-//! Figures of a paper beside ours: the cells of tables as rows of a file, in JSON Lines.
+//! Figures of a paper beside ours: the cells of tables as rows of a file, in JSON Lines and in CSV.
 //!
 //! ```json
 //! {"method","table","row","metric","unit","paper","ours","ratio","comparable","note"}
@@ -14,6 +14,8 @@
 //! | `ratio` | ours / paper; null unless `comparable` |
 //! | `comparable` | whether both values exist, and only the method differs between them |
 //! | `note` | why a printed value is not comparable; what else has to be known |
+//!
+//! In CSV the keys are the names of the columns, in this order, and what is null is empty.
 
 use crate::table::{Cell, Comparable, Ours, Printed, Table};
 use serde::Serialize;
@@ -43,6 +45,10 @@ pub struct Figure {
     /// Why a printed value is not comparable, and what else has to be known.
     pub note: String,
 }
+
+/// The keys of a row, in the order of [`Figure`]'s fields.
+pub const COLUMNS: [&str; 10] =
+    ["method", "table", "row", "metric", "unit", "paper", "ours", "ratio", "comparable", "note"];
 
 /// Every figure of some tables, in their order.
 pub fn figures(method: &str, tables: &[Table]) -> Vec<Figure> {
@@ -123,6 +129,19 @@ pub fn write_figures(figures: &[Figure], mut out: impl Write) -> io::Result<()> 
     Ok(())
 }
 
+/// Writes figures as CSV, the names of the columns first, also where there is no figure.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_figures_csv(figures: &[Figure], out: impl Write) -> io::Result<()> {
+    let mut out = csv::WriterBuilder::new().has_headers(false).from_writer(out);
+    out.write_record(COLUMNS)?;
+    for figure in figures {
+        out.serialize(figure)?;
+    }
+    out.flush()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,14 +154,46 @@ mod tests {
         write_figures(&figures, &mut file).unwrap();
         let text = String::from_utf8(file).unwrap();
         let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-        let keys = ["method", "table", "row", "metric", "unit", "paper", "ours", "ratio", "comparable", "note"];
         for row in &rows {
-            assert!(keys.iter().all(|key| row.get(key).is_some()) && row.as_object().unwrap().len() == keys.len());
+            assert!(COLUMNS.iter().all(|key| row.get(key).is_some()));
+            assert_eq!(row.as_object().unwrap().len(), COLUMNS.len());
         }
         let metrics: Vec<_> = rows.iter().map(|row| row["metric"].as_str().unwrap()).collect();
         assert_eq!(metrics, ["width", "width, least", "width, most", "frame time", "width"]);
         assert_eq!(rows[0]["note"], "median over three views; a note; as printed");
         assert_eq!(rows[0]["row"], "<b>mesh</b>, printed row");
+    }
+
+    #[test]
+    fn both_files_say_the_same() {
+        let figures = figures("method", &[table()]);
+        let (mut lines, mut table) = (Vec::new(), Vec::new());
+        write_figures(&figures, &mut lines).unwrap();
+        write_figures_csv(&figures, &mut table).unwrap();
+        let lines = String::from_utf8(lines).unwrap();
+        let objects: Vec<serde_json::Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let mut table = csv::Reader::from_reader(&table[..]);
+        assert_eq!(table.headers().unwrap(), COLUMNS.as_slice());
+        let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), objects.len());
+        for (row, object) in rows.iter().zip(&objects) {
+            for (key, cell) in COLUMNS.iter().zip(row) {
+                match &object[key] {
+                    serde_json::Value::Null => assert_eq!(cell, "", "{key}"),
+                    serde_json::Value::String(text) => assert_eq!(cell, text, "{key}"),
+                    serde_json::Value::Number(number) => assert_eq!(cell.parse().ok(), number.as_f64(), "{key}"),
+                    other => assert_eq!(cell, other.to_string(), "{key}"),
+                }
+            }
+        }
+        assert!(rows.iter().any(|row| row.iter().any(str::is_empty)) && rows[0][2].contains(','), "{rows:?}");
+    }
+
+    #[test]
+    fn a_table_without_figures_still_names_its_columns() {
+        let mut file = Vec::new();
+        write_figures_csv(&[], &mut file).unwrap();
+        assert_eq!(String::from_utf8(file).unwrap(), format!("{}\n", COLUMNS.join(",")));
     }
 
     #[test]

@@ -4,11 +4,12 @@
 //! |---|---|
 //! | `index.html` | tables and charts for people; asks nothing of the network |
 //! | `tables.jsonl` | every [figure](crate::figure), one per line |
+//! | `tables.csv` | the same for spreadsheets and data frames |
 //! | `*.svg` | the charts |
 //! | `*.png` | the pictures |
 //! | `silhouettes-reproduction.json` | marks the directory as one that a later run may replace |
 
-use crate::figure::{figures, write_figures};
+use crate::figure::{figures, write_figures, write_figures_csv};
 use crate::page;
 use crate::paper::Reproduction;
 use silhouette_compare::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
@@ -19,6 +20,7 @@ use std::path::{Path, PathBuf};
 const REPRODUCTION: DirectoryKind = DirectoryKind { noun: "reproduction", marker: "silhouettes-reproduction.json" };
 
 const TABLES: &str = "tables.jsonl";
+const SHEET: &str = "tables.csv";
 const PAGE: &str = "index.html";
 
 /// Why a reproduction could not be written.
@@ -59,6 +61,9 @@ pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, W
     let figures = figures(reproduction.paper.name, &measured.tables);
     formed(TABLES, write_figures(&figures, &mut table))?;
     staged.write(TABLES, &table)?;
+    let mut sheet = Vec::new();
+    formed(SHEET, write_figures_csv(&figures, &mut sheet))?;
+    staged.write(SHEET, &sheet)?;
     for chart in &measured.charts {
         staged.write(chart.file_name, chart.svg.as_bytes())?;
     }
@@ -91,11 +96,15 @@ mod tests {
             reproduction.measured.tables[0].rows.truncate(rows);
             assert_eq!(write(&reproduction, &target).unwrap(), target.join("index.html"));
             let lines = std::fs::read_to_string(target.join("tables.jsonl")).unwrap();
-            assert_eq!(lines.lines().count(), figures("", &reproduction.measured.tables).len());
+            let count = figures("", &reproduction.measured.tables).len();
+            assert_eq!(lines.lines().count(), count);
+            assert_eq!(csv::Reader::from_path(target.join("tables.csv")).unwrap().records().count(), count);
         }
         let mut names: Vec<_> = target.read_dir().unwrap().map(|entry| entry.unwrap().file_name()).collect();
         names.sort();
-        assert_eq!(names, ["chart.svg", "index.html", "picture.png", "silhouettes-reproduction.json", "tables.jsonl"]);
+        let expected =
+            ["chart.svg", "index.html", "picture.png", "silhouettes-reproduction.json", "tables.csv", "tables.jsonl"];
+        assert_eq!(names, expected);
         assert_eq!(folder.path().read_dir().unwrap().count(), 1, "nothing is left beside it");
     }
 

@@ -5,7 +5,7 @@
 //! the [`Table`]s that it fills; it exports one [`Paper`]. Everything else is derived from the tables here:
 //!
 //! 1. [`table`]: columns, rows, and cells with our value, the paper's, and whether the two are [`Comparable`].
-//! 2. [`figure`]: each cell as rows of `tables.jsonl`.
+//! 2. [`figure`]: each cell as rows of `tables.jsonl` and `tables.csv`.
 //! 3. [`terminal`]: the tables as text. [`chart`]: the tables as SVG. [`picture`]: what was drawn. [`page`]: all of it for a browser.
 //! 4. [`files`]: a directory that appears as a whole.
 //!

@@ -30,7 +30,7 @@ use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
 use silhouette_core::face_normal::face_normal;
 use silhouette_core::glam::DVec3;
 use silhouette_core::id::PerEdge;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::{Artefact, PreparedMesh};
 use silhouette_core::progress::Progress;
 use silhouette_core::{EdgeId, FaceId, HalfEdgeId, Topology};
@@ -77,6 +77,15 @@ impl Method for AdaptiveRefinement {
         exact: false,
         needs: &[Topology::NAME],
         options: AdaptiveRefinementOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Dyken et al. 2008",
+            yields: "a filled image, split near the silhouette alone",
+            accuracy: "no: error 0.010 to 0.011 with 760 to 940 triangles",
+            cost: "O(F + E), one thread; O(F + split triangles) to upload",
+            memory: "350 bytes per face, plus the triangles it makes",
+            choose_when: "the outline of `pn-triangles` is wanted with fewer triangles, made anew for each view",
+            limits: "the processor works and uploads in every view; trusts normals, as `pn-triangles` does",
+        },
     };
 
     fn prepare(

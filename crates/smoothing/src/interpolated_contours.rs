@@ -25,7 +25,7 @@ use crate::vertex_visibility::visible;
 use silhouette_core::curves::{CurveKind, CurveSource, SilhouetteCurves, SmoothPiece};
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::{
-    ExtractionStats, ExtractsCurves, Method, MethodInfo, MethodOptions, PrepareError, Source,
+    ExtractionStats, ExtractsCurves, Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source,
 };
 use silhouette_core::prepared::{Artefact, PreparedMesh};
 use silhouette_core::progress::Progress;
@@ -68,6 +68,16 @@ impl Method for InterpolatedContours {
         exact: false,
         needs: &[Topology::NAME],
         options: InterpolatedContoursOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Hertzmann and Zorin 2000",
+            yields: "curves, straight on each face",
+            accuracy: "no: chords cut off the curve; error 0.066",
+            cost: "O(V + F), one thread",
+            memory: "38 bytes per face",
+            choose_when: "contours must move continuously with the view, and the chords of a coarse mesh may be seen",
+            limits: "near the eye its error is above that of the mesh's own edges; curves that lie on faces which face away \
+                     are hidden by the mesh itself",
+        },
     };
 
     fn prepare(

@@ -18,7 +18,7 @@ use crate::shading_normals::NormalWeights;
 use crate::tessellation::Tessellation;
 use crate::view_mesh::MakesTriangles;
 use silhouette_core::glam::DVec3;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::{Artefact, PreparedMesh};
 use silhouette_core::progress::Progress;
 use silhouette_core::topology::Topology;
@@ -62,6 +62,15 @@ impl Method for PhongTessellation {
         exact: false,
         needs: &[Topology::NAME],
         options: PhongTessellationOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Boubekeur and Alexa 2008",
+            yields: "a filled image, the same surface in every view",
+            accuracy: "no: error 0.022 with 1280 triangles",
+            cost: "as `pn-triangles`",
+            memory: "as `pn-triangles`",
+            choose_when: "as `pn-triangles`, where the simplest evaluation counts more than the shape",
+            limits: "as `pn-triangles`, whose outline was closer on five of eight meshes",
+        },
     };
 
     fn prepare(

@@ -18,7 +18,7 @@ use crate::shading_normals::NormalWeights;
 use crate::tessellation::Tessellation;
 use crate::view_mesh::MakesTriangles;
 use silhouette_core::glam::DVec3;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::prepared::{Artefact, PreparedMesh};
 use silhouette_core::progress::Progress;
 use silhouette_core::topology::Topology;
@@ -60,6 +60,16 @@ impl Method for PnTriangles {
         exact: false,
         needs: &[Topology::NAME],
         options: PnTrianglesOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Vlachos et al. 2001",
+            yields: "a filled image, the same surface in every view",
+            accuracy: "no: error 0.010 with 1280 triangles",
+            cost: "nothing on the CPU; O(F (level + 1)²) on the GPU",
+            memory: "180 bytes per face, plus the triangles it makes",
+            choose_when: "a curved surface is wanted everywhere and (level + 1)² triangles per face can be drawn",
+            limits: "draws as many triangles away from the silhouette as along it; trusts normals, so that it gains \
+                     little on simplified scans",
+        },
     };
 
     fn prepare(

@@ -18,7 +18,8 @@ use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
-    ExtractsCurves, Method, MethodInfo, MethodOptions, PreparedMesh, Progress, SilhouetteCurves, Topology, Viewpoint,
+    ExtractsCurves, Method, MethodGuide, MethodInfo, MethodOptions, PreparedMesh, Progress, SilhouetteCurves, Topology,
+    Viewpoint,
 };
 use std::sync::Arc;
 
@@ -62,6 +63,17 @@ impl Method for Smoothing {
         exact: false,
         needs: &[Topology::NAME],
         options: SmoothingOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Wang et al. 2008, corrected",
+            yields: "smooth curves; a filled image, re-meshed where the silhouette runs",
+            accuracy: "no: error 0.0004 with about 150 triangles",
+            cost: "O(V + F) to classify vertices and copy faces, O(S) for curves; one thread, 230 to 450 ns per \
+                   silhouette triangle",
+            memory: "150 to 220 bytes per face",
+            choose_when: "a coarse mesh should have a smooth outline, for one view at a time",
+            limits: "gains little on simplified scans, whose normals are guesses, and loses on some; silhouettes \
+                     that lie within one face are missed; rounded valleys may be taken for smooth curves",
+        },
     };
 
     fn prepare(

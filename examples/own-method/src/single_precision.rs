@@ -1,6 +1,6 @@
 //! The method: facing in 32-bit arithmetic, without a filter. Fast to write, and wrong where a face is seen nearly edge-on.
 
-use silhouette_core::method::{ExtractionStats, Method, MethodInfo, NoOptions, PrepareError, Source};
+use silhouette_core::method::{ExtractionStats, Method, MethodGuide, MethodInfo, NoOptions, PrepareError, Source};
 use silhouette_core::silhouette::is_silhouette_edge_where;
 use silhouette_core::{
     EdgeId, ExtractsEdges, FaceId, PreparedMesh, Progress, SilhouetteEdges, Topology, TriangleMesh, Viewpoint,
@@ -23,6 +23,15 @@ impl Method for SinglePrecision {
         exact: false,
         needs: &["topology"],
         options: &[],
+        guide: MethodGuide {
+            origin: "an example",
+            yields: "most edges",
+            accuracy: "no: planes are evaluated in 32 bits, so that faces near edge-on may face either way",
+            cost: "O(F), one thread",
+            memory: "none beyond topology",
+            choose_when: "you want to see how a method is added",
+            limits: "wrong where a plane passes the viewpoint closer than rounding",
+        },
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

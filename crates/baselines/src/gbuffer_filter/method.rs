@@ -1,7 +1,7 @@
 //! [`GbufferFilter`]: what the method says of itself.
 
 use crate::line_options::line_method_options;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::option_choice;
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
@@ -77,6 +77,15 @@ impl Method for GbufferFilter {
         exact: false,
         needs: &[],
         options: GbufferFilterOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Saito and Takahashi 1990",
+            yields: "ink",
+            accuracy: "no: lines are as jagged as one sample per pixel is",
+            cost: "O(F + pixels (log2(width) + 2)) on the adapter",
+            memory: "28 bytes per pixel of the view and its margin",
+            choose_when: "depth and normals of the frame are there anyway, and steps below a threshold may be missed",
+            limits: "steps in depth below a threshold have no line; smooth folds may get one",
+        },
     };
 
     fn prepare(

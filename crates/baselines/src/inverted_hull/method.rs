@@ -2,7 +2,7 @@
 
 use super::outline_normals::OutlineNormals;
 use crate::line_options::line_method_options;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError, Source};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
 use silhouette_core::option_choice;
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::progress::Progress;
@@ -72,6 +72,17 @@ impl Method for InvertedHull {
         exact: false,
         needs: &[],
         options: InvertedHullOptions::SPECS,
+        guide: MethodGuide {
+            origin: "what engines ship: back faces pushed outwards",
+            yields: "ink",
+            accuracy: "no: as wide as asked where the outline is smooth, thinner at corners",
+            cost: "O(F) on the adapter, none on the processor",
+            memory: "8 bytes per vertex, 12 per face, 16 per place where vertices lie",
+            choose_when: "outlines are wanted in one more draw call, meshes are closed and smooth, and line ends may \
+                          open",
+            limits: "flat open meshes have no lines; of closed models it missed 13 to 23 % of the lines inside of \
+                     the outline",
+        },
     };
 
     fn prepare(

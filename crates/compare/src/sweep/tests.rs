@@ -195,3 +195,28 @@ fn digests_tell_keys_apart() {
     let text = serde_json::to_string(&key("cube")).unwrap();
     assert_eq!(serde_json::from_str::<Key>(&text).unwrap(), key("cube"));
 }
+
+#[test]
+fn added_cells_lie_within_their_comparison_and_go_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = store(&folder.path().join("cells"), &[0, 1]);
+    let mut scene = Profile::Quick.scene();
+    scene.select(&["tracking".to_owned()]);
+    scene.set("tracking.concavity=0.7", &Registry::builtin()).unwrap();
+    let config = CompareConfig::new(scene, &Registry::builtin()).unwrap();
+    let key = base.key().with_methods(&config);
+    assert_eq!((key.cells(), &key.meshes), (2, &base.key().meshes));
+    assert_ne!(key.digest(), base.key().digest());
+
+    let nested = base.nested(key.clone()).unwrap();
+    nested.put(0, &sample::run(), TOOK, &outcome(1)).unwrap();
+    // A later process finds what an earlier one kept.
+    let again = base.nested(key).unwrap();
+    assert!(again.holds(0) && !again.holds(1));
+    let kept = again.read(0).unwrap();
+    assert_eq!((kept.took, kept.run), (TOOK, sample::run()));
+    assert_eq!(base.count(), 2, "they are no cells of the comparison itself");
+
+    base.remove().unwrap();
+    assert!(folder.path().read_dir().unwrap().next().is_none());
+}

@@ -110,8 +110,8 @@ impl OptionSpec {
         }
     }
 
-    /// What fits, as a noun phrase.
-    fn expected(&self) -> String {
+    /// What fits, as a noun phrase such as `a number from 0 to 1 px`.
+    pub fn expected(&self) -> String {
         match self.kind {
             OptionKind::Number { min, max, .. } => {
                 format!("a number from {min} to {max} {}", self.unit).trim_end().to_owned()

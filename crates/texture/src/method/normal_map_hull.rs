@@ -8,7 +8,7 @@ use crate::bake::BakeOptions;
 use crate::gpu::{Drawing, Filtering, Shading, TextureRenderer, TextureStyle};
 use crate::silhouette_texture::SilhouetteTexture;
 use crate::volume_size::VolumeSize;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_gpu::{FillsImage, MeshBuffers, RendererError, TargetFormats};
@@ -46,6 +46,15 @@ impl Method for NormalMapHull {
         exact: false,
         needs: &[Textures::NAME],
         options: NormalMapHullOptions::SPECS,
+        guide: MethodGuide {
+            origin: "the hull of `texture` with the mesh's colours and normals",
+            yields: "a filled image",
+            accuracy: "no: its outline is that of the hull",
+            cost: "as `texture`",
+            memory: "12 bytes per texel of colour and normal",
+            choose_when: "you compare `texture` with what it improves on",
+            limits: "every outline is that of the coarse hull",
+        },
     };
 
     fn prepare(

@@ -6,7 +6,7 @@ use super::texture::SOURCE;
 use super::textures::Textures;
 use crate::gpu::{Drawing, OutlineStyle, OutlineWidth, TextureRenderer, TextureStyle};
 use crate::silhouette_texture::SilhouetteTexture;
-use silhouette_core::method::{Method, MethodInfo, MethodOptions, PrepareError};
+use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{PreparedMesh, Progress};
 use silhouette_gpu::{Color, DrawsLines, Interior, MeshBuffers, PenPlacement, RendererError, TargetFormats};
@@ -44,6 +44,15 @@ impl Method for TextureLines {
         exact: false,
         needs: &[Textures::NAME],
         options: TextureLinesOptions::SPECS,
+        guide: MethodGuide {
+            origin: "Wu et al. 2006, Eq. 5, of even width",
+            yields: "ink",
+            accuracy: "no: as `texture`",
+            cost: "as `texture`",
+            memory: "as `texture`",
+            choose_when: "you draw `texture` and want its outlines as lines",
+            limits: "as `texture`; loses many of the loops inside of the outline",
+        },
     };
 
     fn prepare(

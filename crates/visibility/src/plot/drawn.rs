@@ -79,25 +79,42 @@ impl DrawnSegments {
         }
     }
 
-    /// Appends the stretches of a segment that run along none of those inserted, as parameters, in order. O(cells that it
-    /// passes + segments in them).
-    pub fn push_uncovered(&mut self, segment: [DVec2; 2], out: &mut Vec<[f64; 2]>) {
+    /// The segment that was inserted as the `index`-th, from 0.
+    ///
+    /// # Panics
+    /// If there is no such segment.
+    pub fn segment(&self, index: u32) -> [DVec2; 2] {
+        self.segments[index as usize]
+    }
+
+    /// Appends the stretches of a segment that run along one of those inserted, as parameters, each with the index of that one,
+    /// ordered by where they begin. O(cells that it passes + segments in them).
+    pub fn push_covered(&mut self, segment: [DVec2; 2], out: &mut Vec<([f64; 2], u32)>) {
         self.questions += 1;
-        let mut covered: Vec<[f64; 2]> = Vec::new();
+        let first = out.len();
         for cell in self.cells(segment) {
             let mut entry = self.head[cell];
             while entry != LAST {
                 let (index, before) = self.entries[entry as usize];
                 entry = before;
                 if std::mem::replace(&mut self.asked[index as usize], self.questions) != self.questions {
-                    covered.extend(along(segment, self.segments[index as usize], self.tolerance));
+                    let stretch = along(segment, self.segments[index as usize], self.tolerance);
+                    out.extend(stretch.map(|stretch| (stretch, index)));
                 }
             }
         }
-        covered.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
+        out[first..]
+            .sort_unstable_by(|(one, index), (other, of_other)| one[0].total_cmp(&other[0]).then(index.cmp(of_other)));
+    }
+
+    /// Appends the stretches of a segment that run along none of those inserted, as parameters, in order. O(cells that it
+    /// passes + segments in them).
+    pub fn push_uncovered(&mut self, segment: [DVec2; 2], out: &mut Vec<[f64; 2]>) {
+        let mut covered = Vec::new();
+        self.push_covered(segment, &mut covered);
         let least = self.tolerance / segment[0].distance(segment[1]);
         let mut from = 0.0;
-        for [begin, end] in covered.into_iter().chain([[1.0, 1.0]]) {
+        for [begin, end] in covered.into_iter().map(|(stretch, _)| stretch).chain([[1.0, 1.0]]) {
             // What is shorter than the tolerance is not worth lifting the pen for.
             if begin - from > least {
                 out.push([from, begin]);

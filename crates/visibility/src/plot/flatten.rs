@@ -16,7 +16,8 @@ pub fn flatten(path: Path<'_>, tolerance: f64, mut point: impl FnMut(DVec2)) {
     }
 }
 
-fn chords(segment: &Segment, tolerance: f64) -> u32 {
+/// How many chords of equal shares of its parameter keep within `tolerance` of a segment: 1 of a straight one.
+pub fn chords(segment: &Segment, tolerance: f64) -> u32 {
     let Some([a, b]) = segment.handles else { return 1 };
     let second = |one: DVec2, middle: DVec2, other: DVec2| (one - 2.0 * middle + other).length();
     let bend = second(segment.from, a, b).max(second(a, b, segment.to));

@@ -8,7 +8,7 @@
 //! 6. `cover`(mod@cover): what lies in the ink of longer lines is left out
 //! 7. `drop_short`(mod@drop_short): dots are left out
 //! 8. `fit`(mod@fit): curves take the place of segments that turn little, on demand
-//! 9. `dash`(mod@dash): hidden lines are cut into strokes and gaps
+//! 9. `dash`(mod@dash): hidden lines are cut into strokes and gaps, in phase (`phase`(mod@phase)) where they lie on each other
 //! 10. `order`(mod@order): the lifted pen travels little
 //!
 //! Several views on one page are plotted each by itself, at one scale: `views`(mod@views).
@@ -41,6 +41,7 @@ mod page;
 mod paths;
 mod pdf;
 mod pen;
+mod phase;
 mod place;
 mod svg;
 mod views;
@@ -172,6 +173,7 @@ fn plot_placed(
         stats.covered.add(covered);
         stats.dropped.add(dropped);
     }
+    dash::dash(&mut layers, options.unit, options.merge_tolerance.to(options.unit));
     layers.retain(|layer| !layer.paths.is_empty());
     stats.prepare = start.elapsed();
 
@@ -269,14 +271,14 @@ fn bridge_layers(
     }
 }
 
-/// The paths of a layer, ready to be ordered, and what was left out.
+/// The paths of a layer, ready to be dashed and ordered, and what was left out.
 struct Prepared {
     paths: Paths,
     covered: Dropped,
     dropped: Dropped,
 }
 
-/// Joins, merges, drops, fits and dashes the paths of a layer.
+/// Joins, merges, drops and fits the paths of a layer.
 fn prepare(layer: &Layer, options: &PlotOptions) -> Prepared {
     let unit = options.unit;
     let is_outline = layer.name == LayerName::Outline;
@@ -289,10 +291,6 @@ fn prepare(layer: &Layer, options: &PlotOptions) -> Prepared {
     let (uncovered, covered) =
         if drops_covered { cover::drop_covered(&merged, layer.width(unit)) } else { (merged, Dropped::default()) };
     let (kept, dropped) = drop_short::drop_short(&uncovered, options.min_length.to(unit));
-    let fitted = if options.curves { fit::fit(&kept, tolerance) } else { kept };
-    let paths = match layer.pen.dash {
-        Some(dash) => dash::dash(&fitted, dash.on.to(unit), dash.off.to(unit)),
-        None => fitted,
-    };
+    let paths = if options.curves { fit::fit(&kept, tolerance) } else { kept };
     Prepared { paths, covered, dropped }
 }

@@ -1,5 +1,6 @@
 //! Lines become strokes on a page, and files that other programs read.
 
+mod dashes;
 mod files;
 mod formats;
 mod scans;
