@@ -48,6 +48,12 @@ pub(super) fn optional(value: Option<f64>, text: impl Fn(f64) -> String) -> Stri
     value.map_or_else(|| NONE.to_owned(), text)
 }
 
+/// A phrase of a method's guide as a sentence that begins with `opening`; nothing where the method says nothing. Names lose their
+/// backquotes.
+pub(super) fn said(opening: &str, phrase: &str) -> Option<String> {
+    (!phrase.is_empty()).then(|| format!("{opening} {}.", phrase.replace('`', "")))
+}
+
 /// Bytes in millions.
 pub(super) fn megabytes(bytes: u64) -> String {
     format!("{:.2}", bytes as f64 / 1e6)
@@ -69,6 +75,12 @@ mod tests {
     #[test]
     fn counts_are_grouped() {
         assert_eq!([7, 123, 1234, 1_234_567].map(grouped), ["7", "123", "1\u{202f}234", "1\u{202f}234\u{202f}567"]);
+    }
+
+    #[test]
+    fn a_phrase_becomes_a_sentence() {
+        assert_eq!(said("Choose it when", "`a` is small"), Some("Choose it when a is small.".to_owned()));
+        assert_eq!(said("Choose it when", ""), None);
     }
 
     #[test]
