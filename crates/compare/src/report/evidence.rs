@@ -177,7 +177,7 @@ fn limits(comparison: &Comparison, summary: &CellSummary<'_>, entry: Option<&Ent
         limits.push(format!("Edges found on this mesh: {found}."));
     }
     if let Some(errors) = cell.mean_errors() {
-        limits.push(format!("On this mesh: {}", where_it_errs::sentence(&errors)));
+        limits.push(format!("Measured on this mesh: {}", where_it_errs::sentence(&errors)));
     }
     if cell.mesh.inward_faces > 0 {
         let faces = grouped(cell.mesh.inward_faces);
