@@ -28,12 +28,15 @@ impl PictureKind {
 
     /// The metric by which pictures of this kind are compared where one number has to do: the worst view is the one in which
     /// it is largest, and the report shows it first.
+    ///
+    /// # Panics
+    /// Never: a test finds both.
     pub fn leading_metric(self) -> &'static MetricSpec {
         let name = match self {
             Self::Lines => "chamfer_px",
             Self::Fill => "boundary_chamfer_px",
         };
-        find(name).expect("a test finds both")
+        find(name).expect("names of METRICS")
     }
 
     /// Its metrics, in the order of results and report.

@@ -5,7 +5,7 @@ use super::pictures::PictureFiles;
 use super::sphere_map;
 use super::summary::CellSummary;
 use super::tables::{edges_found, who};
-use super::text::{grouped, interval, metric_text, milliseconds, optional, shown_unit};
+use super::text::{grouped, interval, metric_text, milliseconds, optional, said, shown_unit};
 use super::where_it_errs;
 use crate::cost::{FrameCost, Spread};
 use crate::record::{CameraRecord, Cell, View};
@@ -104,6 +104,7 @@ fn member(comparison: &Comparison, summary: &CellSummary<'_>) -> Value {
         who => who(summary),
         summary => entry.map(|entry| entry.info().summary),
         source => entry.map(citation),
+        choose => entry.and_then(|entry| said("Choose it when", entry.info().guide.choose_when)),
         options => options.to_string(),
         prepare => milliseconds(prepare.prepare_ms),
         renderer => milliseconds(prepare.renderer_ms),
@@ -167,6 +168,7 @@ fn limits(comparison: &Comparison, summary: &CellSummary<'_>, entry: Option<&Ent
                 "Does not promise all silhouette edges: what it misses is measured.".to_owned()
             });
         }
+        limits.extend(said("Where it fails:", info.guide.limits));
         if !info.needs.is_empty() {
             limits.push(format!("Needs more than positions and triangles: {}.", info.needs.join(", ")));
         }
@@ -175,7 +177,7 @@ fn limits(comparison: &Comparison, summary: &CellSummary<'_>, entry: Option<&Ent
         limits.push(format!("Edges found on this mesh: {found}."));
     }
     if let Some(errors) = cell.mean_errors() {
-        limits.push(format!("On this mesh: {}", where_it_errs::sentence(&errors)));
+        limits.push(format!("Measured on this mesh: {}", where_it_errs::sentence(&errors)));
     }
     if cell.mesh.inward_faces > 0 {
         let faces = grouped(cell.mesh.inward_faces);
@@ -225,6 +227,7 @@ mod tests {
         let said = limits(&comparison, &meshes[0].cells[0], comparison.methods.first()).join("\n");
         for words in [
             "Promises all silhouette edges",
+            "Where it fails: ",
             "recall 50.00 %",
             "Misses nothing.",
             "12 faces",

@@ -37,15 +37,21 @@ pub(super) fn milliseconds(value: f64) -> String {
     if value < 10.0 { format!("{value:.2}") } else { format!("{value:.1}") }
 }
 
-/// An interval, `1.20 to 1.40`; nothing where its ends read alike.
+/// An interval, `1.20–1.40`; nothing where its ends read alike.
 pub(super) fn interval(ends: Option<[f64; 2]>, text: impl Fn(f64) -> String) -> Option<String> {
     let [low, high] = ends?.map(text);
-    (low != high).then(|| format!("{low} to {high}"))
+    (low != high).then(|| format!("{low}–{high}"))
 }
 
 /// A ratio or another number that may be missing.
 pub(super) fn optional(value: Option<f64>, text: impl Fn(f64) -> String) -> String {
     value.map_or_else(|| NONE.to_owned(), text)
+}
+
+/// A phrase of a method's guide as a sentence that begins with `opening`; nothing where the method says nothing. Names lose their
+/// backquotes.
+pub(super) fn said(opening: &str, phrase: &str) -> Option<String> {
+    (!phrase.is_empty()).then(|| format!("{opening} {}.", phrase.replace('`', "")))
 }
 
 /// Bytes in millions.
@@ -72,11 +78,17 @@ mod tests {
     }
 
     #[test]
+    fn a_phrase_becomes_a_sentence() {
+        assert_eq!(said("Choose it when", "`a` is small"), Some("Choose it when a is small.".to_owned()));
+        assert_eq!(said("Choose it when", ""), None);
+    }
+
+    #[test]
     fn shares_are_shown_in_per_cent() {
         assert_eq!((in_unit("share", 0.125), in_unit("px", 0.125)), ("12.50".to_owned(), "0.12".to_owned()));
         assert_eq!((shown_unit("share"), shown_unit("px")), ("%", "px"));
         assert_eq!([0.0, 0.1, 0.0123, 0.00123].map(|value| in_unit("px", value)), ["0.00", "0.10", "0.012", "0.0012"]);
-        assert_eq!(interval(Some([1.0, 12.25]), milliseconds), Some("1.00 to 12.2".to_owned()));
+        assert_eq!(interval(Some([1.0, 12.25]), milliseconds), Some("1.00–12.2".to_owned()));
         assert_eq!((interval(Some([1.0, 1.001]), milliseconds), interval(None, milliseconds)), (None, None));
         assert_eq!(optional(None, milliseconds), NONE);
     }
