@@ -15,16 +15,16 @@ pub struct FileOfView {
     pub path: PathBuf,
 }
 
-/// Pairs files with frames: those of `--view` in order, or all scored ones. Each frame has one file at most.
+/// Pairs files with frames: those of `--frame` in order, or all scored ones. Each frame has one file at most.
 pub fn of_views(lines: &[PathBuf], asked: &[u32], scored: &[u32]) -> Result<Vec<FileOfView>, Failure> {
     let known = || scored.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
     let mut views = Vec::new();
     for &frame in asked {
         let Some(view) = scored.iter().position(|&scored| scored == frame) else {
-            return Err(Failure::Input(format!("--view {frame}: is no scored frame; there are {}", known())));
+            return Err(Failure::Input(format!("--frame {frame}: is no scored frame; there are {}", known())));
         };
         if views.contains(&view) {
-            return Err(Failure::Input(format!("--view {frame}: is there twice; give one file per frame")));
+            return Err(Failure::Input(format!("--frame {frame}: is there twice; give one file per frame")));
         }
         views.push(view);
     }
@@ -40,9 +40,9 @@ pub fn of_views(lines: &[PathBuf], asked: &[u32], scored: &[u32]) -> Result<Vec<
     };
     if paths.len() != views.len() {
         let (files, frames) = (paths.len(), views.len());
-        let of = if asked.is_empty() { format!("scored frames ({})", known()) } else { "--view".to_owned() };
+        let of = if asked.is_empty() { format!("scored frames ({})", known()) } else { "--frame".to_owned() };
         return Err(Failure::Input(format!(
-            "--lines: {files} files for {frames} {of}; give --view FRAME for each file, or one name with {FRAME} in it"
+            "--lines: {files} files for {frames} {of}; give --frame N for each file, or one name with {FRAME} in it"
         )));
     }
     Ok(views.into_iter().zip(paths).map(|(view, path)| FileOfView { view, path }).collect())
@@ -91,11 +91,11 @@ mod tests {
         let refused = |lines: &[&str], asked: &[u32]| paired(lines, asked).unwrap_err();
         assert_eq!(
             refused(&["a"], &[]),
-            "--lines: 1 files for 3 scored frames (2, 7, 12); give --view FRAME for each file, or one name with {frame} in it"
+            "--lines: 1 files for 3 scored frames (2, 7, 12); give --frame N for each file, or one name with {frame} in it"
         );
-        assert!(refused(&["a", "b"], &[7]).starts_with("--lines: 2 files for 1 --view;"));
-        assert!(refused(&["a"], &[3]).contains("--view 3: is no scored frame; there are 2, 7, 12"));
-        assert!(refused(&["a", "b"], &[7, 7]).contains("--view 7: is there twice"));
+        assert!(refused(&["a", "b"], &[7]).starts_with("--lines: 2 files for 1 --frame;"));
+        assert!(refused(&["a"], &[3]).contains("--frame 3: is no scored frame; there are 2, 7, 12"));
+        assert!(refused(&["a", "b"], &[7, 7]).contains("--frame 7: is there twice"));
         assert!(refused(&["a", "{frame}"], &[2, 7]).contains("stands for all files"));
     }
 

@@ -27,7 +27,7 @@ pub fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let argument = mesh_argument(arguments, scene.as_ref())?;
     let target = Target::new(arguments, &argument)?;
     let progress = TerminalProgress::new();
-    let mesh = input::mesh(&argument, arguments.orient.winding(false), &progress)?;
+    let mesh = input::welded(&argument, arguments.weld, arguments.orient.winding(false), &progress)?;
     let bounds = mesh.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", mesh.name)))?;
     let views = views(arguments, scene.as_ref(), &mesh, &bounds)?;
     let of_scene = scene.as_ref().map_or(DEFAULT_PEN_WIDTH_PX, |scene| scene.pen.width_px);
@@ -42,7 +42,7 @@ pub fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
         Target::Scores(directory) => directory,
     };
     let frames: Vec<u32> = views.iter().map(|view| view.frame).collect();
-    let mut files = files::of_views(&arguments.lines, &arguments.view, &frames)?;
+    let mut files = files::of_views(&arguments.lines, &arguments.frame, &frames)?;
     files.sort_by_key(|file| file.view);
     let name = arguments.name.clone().unwrap_or_else(|| files::program(&arguments.lines[0]));
     let shown: Vec<ScoredView> = files.iter().map(|file| views[file.view]).collect();

@@ -35,7 +35,7 @@ pub type Rows = [[f64; 4]; 4];
 /// A camera. It looks along -z of its own coordinates, y up, x to the right: the convention of OpenGL and of Blender.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CameraDocument {
-    /// The number of the frame: `--view` of its file.
+    /// The number of the frame: `--frame` of its file.
     pub frame: u32,
     /// Width and height of the picture in pixels.
     pub size: [u32; 2],
@@ -117,7 +117,8 @@ fn camera(&ScoredView { frame, camera }: &ScoredView, mesh: &TriangleMesh, bound
 }
 
 fn rows(matrix: DMat4) -> Rows {
-    matrix.transpose().to_cols_array_2d()
+    // Adding 0 makes a zero of a negative one.
+    matrix.transpose().to_cols_array_2d().map(|row| row.map(|value| value + 0.0))
 }
 
 #[cfg(test)]

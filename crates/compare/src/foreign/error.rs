@@ -89,7 +89,7 @@ pub enum ForeignFault {
     },
     /// It was made from another viewpoint.
     #[error(
-        "{place}: {found}, but view {frame} has {wanted}; say --view of the frame that it shows, or draw it by that camera (--cameras)"
+        "{place}: {found}, but frame {frame} has {wanted}; say --frame of the one that it shows, or draw it by that camera (--cameras)"
     )]
     OtherCamera {
         /// Where it says so.

@@ -104,7 +104,7 @@ fn edges_besides_are_spurious_where_they_are_seen() {
 
 #[test]
 fn drawings_made_worse_score_worse() {
-    let subject = subject("torus");
+    let subject = subject("knot");
     let mut scorer = scorer(&subject);
     let (_, lines) = truth(&mut scorer, 1);
     let moved = |by: DVec3| {
@@ -169,7 +169,7 @@ fn what_a_file_says_of_itself_has_to_fit() {
     let eye = camera.eye().as_dvec3();
     assert_eq!(refused(from(eye * 1.0005)), Ok(()));
     let elsewhere = refused(from(-eye)).unwrap_err();
-    assert!(elsewhere.starts_with("viewpoint: is from ") && elsewhere.contains("but view 7 has "), "{elsewhere}");
+    assert!(elsewhere.starts_with("viewpoint: is from ") && elsewhere.contains("but frame 7 has "), "{elsewhere}");
     let along = ClaimedViewpoint::Orthographic { toward_viewer: eye };
     let flat = refused(Claims { viewpoint: Some(along), ..Claims::default() }).unwrap_err();
     assert!(flat.contains("has a field of view of 45 degrees"), "{flat}");

@@ -40,7 +40,8 @@ pub fn place(root: &Node<'_, '_>, size: [u32; 2]) -> Result<Placed, ForeignFault
     let Some(page) = page else { return Ok(Placed { transform: DAffine2::IDENTITY, note: None }) };
     let picture = DVec2::from(size.map(f64::from));
     let scale = picture.x / page.x;
-    let wrong = || ForeignFault::WrongSize { found: format!("is {} x {}", page.x, page.y), wanted: size };
+    let wrong =
+        || ForeignFault::WrongSize { found: format!("is {} x {} units", page.x as f32, page.y as f32), wanted: size };
     if !(page.is_finite() && page.min_element() > 0.0 && (page.y * scale - picture.y).abs() <= ROUNDING_PX) {
         return Err(wrong());
     }
@@ -60,8 +61,9 @@ pub fn place(root: &Node<'_, '_>, size: [u32; 2]) -> Result<Placed, ForeignFault
         }
     };
     let is_scaled = (scale - 1.0).abs() * picture.max_element() > ROUNDING_PX;
-    let note = is_scaled
-        .then(|| format!("is {} x {}, and is scaled to the view's {} x {} pixels", page.x, page.y, size[0], size[1]));
+    let note = is_scaled.then(|| {
+        format!("is {} x {} units, and is scaled to the view's {} x {} pixels", page.x, page.y, size[0], size[1])
+    });
     Ok(Placed { transform: DAffine2::from_scale(DVec2::splat(scale)) * inside, note })
 }
 

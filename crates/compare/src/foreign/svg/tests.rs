@@ -84,7 +84,7 @@ fn transforms_and_view_boxes_place_lines() {
     assert!(are_near(&stretched, &[[20.0, 5.0], [40.0, 11.0]]));
     let notes = |attributes: &str| drawn(attributes, line).1;
     assert!(notes("viewBox='0 0 100 50'").is_empty() && notes("width='100px' height='50px'").is_empty());
-    assert_eq!(notes("width='200' height='100'"), ["is 200 x 100, and is scaled to the view's 100 x 50 pixels"]);
+    assert_eq!(notes("width='200' height='100'"), ["is 200 x 100 units, and is scaled to the view's 100 x 50 pixels"]);
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn what_does_not_fit_is_named_with_its_line() {
     assert!(
         refused("width='210mm' height='297mm'", "").contains("but the view is 100 x 50 pixels; draw it at that size")
     );
-    assert!(refused("viewBox='0 0 50 100'", "").starts_with("is 50 x 100, but the view"));
+    assert!(refused("viewBox='0 0 50 100'", "").starts_with("is 50 x 100 units, but the view"));
     assert!(refused("viewBox='0 0 0 100'", "").starts_with("line 2: viewBox: "));
     assert!(refused("", "<rect width='9' height='9'/>").contains("none of its 1 shapes has a stroke"));
     let text = |text: &str| read(text.as_bytes(), FRAME).unwrap_err().to_string();
