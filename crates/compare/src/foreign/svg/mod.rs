@@ -1,11 +1,11 @@
-//! Line drawings as SVG: every stroke is a line, whatever its width and colour.
+//! Line drawings as SVG: every stroke is a line, whatever its width and, unless it is white, its colour.
 //!
 //! 1. [`page`]: where the document's own coordinates lie in the picture.
 //! 2. [`style`]: what is drawn and stroked, by attributes, `style` and style sheets.
 //! 3. [`shape`]: lines, polylines, polygons, paths, rectangles, circles and ellipses, under their transforms.
 //!
-//! Read are `svg`, `g`, `a` and these shapes. Fills, text and pictures are no lines. `use`, `symbol` and nested `svg` are refused
-//! rather than skipped, since lines would be missing, and so are entities: both may grow without bound.
+//! Read are `svg`, `g`, `a`, `switch` and these shapes. Fills, text and pictures are no lines. `use` and nested `svg` are refused rather
+//! than skipped, since lines would be missing. So are entities: they grow without bound.
 
 mod page;
 mod shape;
@@ -110,8 +110,8 @@ impl Reader<'_> {
             return Ok(());
         }
         match name {
-            "g" | "a" => self.children(node, outer * shape::transform(node)?, style, depth),
-            "use" | "svg" | "symbol" | "switch" => Err(at(
+            "g" | "a" | "switch" => self.children(node, outer * shape::transform(node)?, style, depth),
+            "use" | "svg" => Err(at(
                 node,
                 None,
                 &format!("<{name}> is not read; write its lines themselves, for clones unlink them"),

@@ -117,6 +117,7 @@ fn only_what_is_stroked_and_shown_is_drawn() {
     assert_eq!(count(format!("{sheet}{}", line("class='thin pen'"))), 1);
     assert_eq!(count(format!("{sheet}<g class='off'>{}</g>", line("class='pen'"))), 0);
     assert_eq!(count(format!("{sheet}{}", line("id='a' style='stroke:red'"))), 0);
+    assert_eq!(count(format!("<switch><foreignObject/><g stroke='red'>{}</g></switch>", line(""))), 1);
     // What other programs add of their own is skipped.
     let foreign = "<x:view xmlns:x='http://example.org'><line stroke='red' x2='9' y2='9'/></x:view>";
     assert_eq!(count(foreign.to_owned()), 0);
