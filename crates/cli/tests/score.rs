@@ -329,3 +329,23 @@ fn files_beyond_all_measure_are_refused() {
     let line = folder.refused(&["score", "--scene", &folder.scene(), "--lines", "big.svg", "--frame", "4"]);
     assert!(line.contains("big.svg: longer than 67108864 bytes"), "{line}");
 }
+
+/// Two squares side by side whose common vertices are there twice: a seam to this program, one edge to those that join vertices.
+const SEAM: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 1 2 3 4\nf 5 6 7 8\n";
+
+#[test]
+fn seams_are_no_lines_where_vertices_are_joined() {
+    let folder = Folder::new();
+    folder.file("seam.obj", SEAM);
+    let view = ["--view", "front", "--size", "100x100"];
+    let with = |words: &[&str]| folder.done(&[words, &view].concat());
+    with(&["lines", "seam.obj", "--weld", "-o", "joined.json"]);
+    let joined = with(&["score", "seam.obj", "--weld", "--lines", "joined.json"]);
+    let apart = with(&["score", "seam.obj", "--lines", "joined.json"]);
+    assert!(joined.ends_with("Misses nothing.\n") && apart.contains("along boundary edges"), "{joined}{apart}");
+    with(&["extract", "seam.obj", "--weld", "-o", "edges.json"]);
+    let table = with(&["score", "seam.obj", "--weld", "--lines", "edges.json"]);
+    assert!(table.lines().nth(2).unwrap().ends_with("  1            1"), "{table}");
+    let line = folder.refused(&[&["score", "seam.obj", "--lines", "edges.json"][..], &view].concat());
+    assert!(line.contains("mesh.vertices: was made of 6 vertices, but seam.obj has 8"), "{line}");
+}

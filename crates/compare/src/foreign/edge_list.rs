@@ -93,6 +93,7 @@ pub enum ClaimedViewpoint {
 }
 
 #[derive(Deserialize)]
+#[serde(expecting = "an object with \"polylines\", \"edges\" or \"chains\"")]
 struct Document {
     method: Option<String>,
     mesh: Option<ClaimedMesh>,
@@ -167,7 +168,7 @@ fn trace_polylines(polylines: &[Vec<DVec2>], frame: Frame) -> Result<Vec<super::
             tracer.close().map_err(|many| many.at(place()))?;
         }
     }
-    tracer.finished(String::new())
+    tracer.finished()
 }
 
 fn trace_chains(
@@ -206,8 +207,13 @@ fn trace_chains(
         let kinds = kinds.join(", ");
         notes.push(format!("holds chains of kinds that the truth does not hold, and that count as spurious: {kinds}"));
     }
+    let lines = tracer.finished()?;
     let hidden = chains.iter().filter(|chain| !chain.visible).count();
-    tracer.finished(if hidden > 0 { format!(": all of its {hidden} chains are hidden") } else { String::new() })
+    if lines.is_empty() && hidden > 0 {
+        let mend = "write those that are visible";
+        return Err(ForeignFault::NoLines { why: format!(": all of its {hidden} chains are hidden"), mend });
+    }
+    Ok(lines)
 }
 
 /// Words that Python and others write for numbers that JSON has not.
@@ -229,7 +235,7 @@ fn form(text: &[u8], error: &serde_json::Error) -> ForeignFault {
         }
         None => {
             let message = message.split(" at line ").next().unwrap_or_default().to_owned();
-            ForeignFault::Form { place, message: format!("{message}; docs/score/README.md describes the forms") }
+            ForeignFault::Form { place, message: format!("{message}; silhouettes score --help describes the forms") }
         }
     }
 }
@@ -310,7 +316,7 @@ mod tests {
         }
         for text in [r#"{"edges":[[1,-2]]}"#, r#"{"edges":[[1]]}"#, r#"{"edges":[[1,2.5]]}"#, "[[1,2]]", "", "edges"] {
             let message = refused(text);
-            assert!(message.starts_with("line ") && message.contains("docs/score/README.md"), "{message}");
+            assert!(message.starts_with("line ") && message.contains("score --help describes the forms"), "{message}");
         }
         let deep = "[".repeat(1_000_000);
         assert!(refused(&format!("{{\"polylines\":{deep}")).starts_with("line 1, column "));

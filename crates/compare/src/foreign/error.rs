@@ -68,10 +68,12 @@ pub enum ForeignFault {
         wanted: [u32; 2],
     },
     /// It holds no line, though the view has some.
-    #[error("holds no line{why}; for a drawing without lines give a white picture (.png)")]
+    #[error("holds no line{why}; {mend}")]
     NoLines {
-        /// What it holds instead, after a colon, or nothing.
+        /// What it holds instead, after a colon or a space, or nothing.
         why: String,
+        /// What would fit.
+        mend: &'static str,
     },
     /// It was made of another mesh.
     #[error(
@@ -103,7 +105,21 @@ pub enum ForeignFault {
     },
 }
 
+/// What stands for a drawing that is meant to be empty.
+const EMPTY: &str = "for a drawing without lines give a white picture (.png)";
+
 impl ForeignFault {
+    /// It holds no line and nothing else.
+    pub(super) fn no_lines() -> Self {
+        Self::NoLines { why: String::new(), mend: EMPTY }
+    }
+
+    /// It holds this many lines, none of them within the picture.
+    pub(super) fn all_outside(lines: usize) -> Self {
+        let why = format!(" inside of the picture: all {lines} lie beside it");
+        Self::NoLines { why, mend: "give pixels, with their origin at the top left" }
+    }
+
     /// The fault with the file where it is.
     pub fn in_file(self, path: impl Into<PathBuf>) -> ForeignError {
         ForeignError { path: path.into(), fault: self }

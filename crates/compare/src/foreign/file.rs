@@ -41,15 +41,18 @@ fn read_file(path: &Path, frame: Frame) -> Result<ForeignFile, ForeignFault> {
     if bytes.len() as u64 > MAX_BYTES {
         return Err(ForeignFault::TooLong { limit: MAX_BYTES });
     }
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     if is("json") {
-        let EdgeList { drawing, claims, notes } = edge_list::read(&bytes, frame)?;
+        let EdgeList { drawing, claims, notes } = edge_list::read(text, frame)?;
         return Ok(ForeignFile { drawing, claims, notes });
     }
     let (drawing, notes) = if is("svg") {
-        let (lines, notes) = svg::read(&bytes, frame)?;
+        let (lines, notes) = svg::read(text, frame)?;
         (Drawing::Lines(lines), notes)
     } else {
-        (Drawing::Picture(picture::read(&bytes, frame.size)?), Vec::new())
+        let picture = picture::read(&bytes, frame.size)?;
+        let notes = picture::note(&picture).into_iter().collect();
+        (Drawing::Picture(picture), notes)
     };
     Ok(ForeignFile { drawing, claims: Claims::default(), notes })
 }
@@ -64,7 +67,7 @@ mod tests {
     fn files_are_read_by_their_ending_and_faults_name_them() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
-        std::fs::write(path("a.JSON"), r#"{"edges":[[0,1]]}"#).unwrap();
+        std::fs::write(path("a.JSON"), "\u{feff}{\"edges\":[[0,1]]}").unwrap();
         std::fs::write(
             path("a.svg"),
             r#"<svg xmlns="http://www.w3.org/2000/svg"><path stroke="red" d="M1 1 9 9"/></svg>"#,

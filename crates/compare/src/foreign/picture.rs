@@ -1,6 +1,7 @@
 //! Pictures of a view: PNG, dark lines on light paper or on a transparent ground.
 
 use super::error::ForeignFault;
+use crate::metrics::Ink;
 use silhouette_render::Image;
 
 /// The head of a PNG file: its signature, the head of its first chunk, and in that chunk width and height.
@@ -32,6 +33,13 @@ pub fn read(png: &[u8], size: [u32; 2]) -> Result<Image, ForeignFault> {
     Ok(picture)
 }
 
+/// What the user of a picture should know that seems to be light on dark.
+pub fn note(picture: &Image) -> Option<String> {
+    let ink = Ink::from_picture(picture).ink_pixels().count();
+    let is_dark = 2 * ink > picture.width as usize * picture.height as usize;
+    is_dark.then(|| "more than half of its pixels count as ink; lines are to be dark on a light ground".to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -43,6 +51,9 @@ mod tests {
         let picture = read(&png, [2, 2]).unwrap();
         let expected = [[0, 0, 0, 255], [255; 4], [255, 127, 127, 255], [9, 9, 9, 255]].concat();
         assert_eq!(picture.rgba, expected);
+        assert_eq!(note(&picture), None);
+        let dark = Image { rgba: [[0, 0, 0, 255], [0, 0, 0, 255], [9, 9, 9, 255], [255; 4]].concat(), ..picture };
+        assert!(note(&dark).unwrap().contains("dark on a light ground"));
     }
 
     #[test]

@@ -182,7 +182,7 @@ impl<'a> Scorer<'a> {
         is_right: impl FnOnce(&crate::truth::Truth) -> bool,
     ) -> Result<(), ForeignFault> {
         let is_wrong = is_empty && !is_right(self.truths.view_and_finder(view).0);
-        if is_wrong { Err(ForeignFault::NoLines { why: String::new() }) } else { Ok(()) }
+        if is_wrong { Err(ForeignFault::no_lines()) } else { Ok(()) }
     }
 
     /// Refuses a file that says that it shows another mesh, or by another camera.

@@ -193,16 +193,13 @@ impl Tracer {
 }
 
 impl Tracer {
-    /// What is drawn. Nothing where no line was begun and there is no reason for that, which `why` gives after a colon.
+    /// What is drawn; nothing where no line was begun.
     ///
     /// # Errors
-    /// [`ForeignFault::NoLines`] where all lines lie outside of the picture, and where there is none but a reason for it.
-    pub fn finished(self, why: String) -> Result<Vec<Polyline>, ForeignFault> {
+    /// [`ForeignFault::NoLines`] where all lines lie outside of the picture.
+    pub fn finished(self) -> Result<Vec<Polyline>, ForeignFault> {
         match self.into_lines() {
-            (_, 0) if !why.is_empty() => Err(ForeignFault::NoLines { why }),
-            (lines, followed) if lines.is_empty() && followed > 0 => {
-                Err(ForeignFault::NoLines { why: format!(" inside of the picture: all {followed} lie beside it") })
-            }
+            (lines, followed) if lines.is_empty() && followed > 0 => Err(ForeignFault::all_outside(followed)),
             (lines, _) => Ok(lines),
         }
     }

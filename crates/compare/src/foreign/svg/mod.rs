@@ -48,17 +48,26 @@ pub fn read(bytes: &[u8], frame: Frame) -> Result<(Vec<Polyline>, Vec<String>), 
         return Err(form("line 1".to_owned(), &format!("<{}> is no SVG document", root.tag_name().name())));
     }
     let placed = page::place(&root, frame.size)?;
-    let mut reader =
-        Reader { styles: Styles::of(&document)?, tracer: Tracer::new(frame), shapes: 0, dashed: 0, paper: 0 };
-    reader.children(&root, placed.transform, Style::default(), 0)?;
-    let Reader { tracer, shapes, dashed, paper, .. } = reader;
-    let unstroked = format!(": none of its {shapes} shapes has a stroke that shows on white");
-    let lines = tracer.finished(if shapes > 0 { unstroked } else { String::new() })?;
+    let styles = Styles::of(&document)?;
+    let mut reader = Reader { styles, tracer: Tracer::new(frame), shapes: 0, dashed: 0, paper: 0, clipped: 0 };
+    let style = reader.styles.of_element(&root, Style::default());
+    if style.is_displayed {
+        reader.children(&root, placed.transform * shape::transform(&root)?, style, 0)?;
+    }
+    let Reader { tracer, shapes, dashed, paper, clipped, .. } = reader;
+    let lines = tracer.finished()?;
+    if lines.is_empty() && shapes > 0 {
+        let why = format!(": none of its {shapes} shapes has a stroke that shows on white");
+        return Err(ForeignFault::NoLines { why, mend: "stroke what is a line, or give a picture (.png)" });
+    }
     let mut notes: Vec<String> = placed.note.into_iter().collect();
     if dashed > 0 {
         notes.push(format!(
             "{dashed} of its strokes are dashed; they count as lines all along, so leave out what is hidden"
         ));
+    }
+    if clipped > 0 {
+        notes.push(format!("{clipped} of its elements are clipped or masked; they count as if they were not"));
     }
     if paper > 0 {
         notes.push(format!("{paper} of its strokes are white; they are left out, and cover nothing"));
@@ -75,6 +84,8 @@ struct Reader<'a> {
     dashed: usize,
     /// White ones.
     paper: usize,
+    /// Elements with a clip path or a mask.
+    clipped: usize,
 }
 
 impl Reader<'_> {
@@ -109,6 +120,7 @@ impl Reader<'_> {
         if !style.is_displayed {
             return Ok(());
         }
+        self.clipped += usize::from(style.is_clipped);
         match name {
             "g" | "a" | "switch" => self.children(node, outer * shape::transform(node)?, style, depth),
             "use" | "svg" => Err(at(

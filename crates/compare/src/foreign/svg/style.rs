@@ -1,7 +1,7 @@
 //! Step 2: what is drawn and stroked.
 //!
-//! Of all properties, those by which a stroke leaves ink or does not: `stroke`, `stroke-opacity`, `stroke-dasharray`, `display`,
-//! `visibility` and `opacity`. They come from attributes, then from style sheets, then from `style`; what is `!important` in a
+//! Of all properties, those by which a stroke leaves ink or does not: `stroke`, `stroke-width`, `stroke-opacity`, `stroke-dasharray`,
+//! `display`, `visibility` and `opacity`, and whether there are `clip-path` and `mask`. They come from attributes, then from style sheets, then from `style`; what is `!important` in a
 //! style sheet stays.
 
 use super::at;
@@ -22,6 +22,9 @@ pub struct Style {
     is_opaque: bool,
     stroke: Stroke,
     has_opaque_stroke: bool,
+    has_width: bool,
+    /// Whether it is clipped or masked itself.
+    pub is_clipped: bool,
     /// Whether its stroke is dashed.
     pub is_dashed: bool,
 }
@@ -41,6 +44,8 @@ impl Default for Style {
             is_opaque: true,
             stroke: Stroke::None,
             has_opaque_stroke: true,
+            has_width: true,
+            is_clipped: false,
             is_dashed: false,
         }
     }
@@ -58,7 +63,7 @@ impl Style {
     }
 
     fn is_stroked(&self) -> bool {
-        self.is_displayed && self.is_visible && self.is_opaque && self.has_opaque_stroke
+        self.is_displayed && self.is_visible && self.is_opaque && self.has_opaque_stroke && self.has_width
     }
 
     fn set(&mut self, name: &str, value: &str) {
@@ -68,6 +73,8 @@ impl Style {
         }
         match name {
             "stroke" => self.stroke = stroke(value),
+            "stroke-width" => self.has_width = value.bytes().any(|byte| (b'1'..=b'9').contains(&byte)),
+            "clip-path" | "mask" => self.is_clipped |= value != "none",
             "stroke-opacity" => self.has_opaque_stroke = is_above_zero(value),
             "opacity" => self.is_opaque &= is_above_zero(value),
             "stroke-dasharray" => self.is_dashed = value.bytes().any(|byte| (b'1'..=b'9').contains(&byte)),
@@ -115,7 +122,7 @@ impl<'a> Styles<'a> {
 
     /// The style of an element in one of this style.
     pub fn of_element(&self, node: &Node<'_, '_>, inherited: Style) -> Style {
-        let mut style = inherited;
+        let mut style = Style { is_clipped: false, ..inherited };
         for attribute in node.attributes() {
             style.set(attribute.name(), attribute.value());
         }

@@ -101,6 +101,7 @@ fn only_what_is_stroked_and_shown_is_drawn() {
         "stroke='black' visibility='hidden'",
         "stroke='black' opacity='0'",
         "stroke='black' style='stroke-opacity:0'",
+        "stroke='black' stroke-width='0.0'",
         "stroke='white'",
         "stroke='#fff'",
     ] {
@@ -117,6 +118,10 @@ fn only_what_is_stroked_and_shown_is_drawn() {
     assert_eq!(count(format!("{sheet}{}", line("class='thin pen'"))), 1);
     assert_eq!(count(format!("{sheet}<g class='off'>{}</g>", line("class='pen'"))), 0);
     assert_eq!(count(format!("{sheet}{}", line("id='a' style='stroke:red'"))), 0);
+    let root = drawn("style='stroke:red' transform='translate(1)'", &line(""));
+    assert!(are_near(&root.0[0].points, &[[6.0, 5.0], [10.0, 9.0]]));
+    let clipped = drawn("", &format!("<g stroke='red' clip-path='url(#a)'>{}</g>", line("mask='none'")));
+    assert_eq!(clipped.1, ["1 of its elements are clipped or masked; they count as if they were not"]);
     assert_eq!(count(format!("<switch><foreignObject/><g stroke='red'>{}</g></switch>", line(""))), 1);
     // What other programs add of their own is skipped.
     let foreign = "<x:view xmlns:x='http://example.org'><line stroke='red' x2='9' y2='9'/></x:view>";
@@ -157,7 +162,10 @@ fn what_does_not_fit_is_named_with_its_line() {
     );
     assert!(refused("viewBox='0 0 50 100'", "").starts_with("is 50 x 100 units, but the view"));
     assert!(refused("viewBox='0 0 0 100'", "").starts_with("line 2: viewBox: "));
-    assert!(refused("", "<rect width='9' height='9'/>").contains("none of its 1 shapes has a stroke"));
+    assert!(
+        refused("", "<rect width='9' height='9'/>")
+            .contains("none of its 1 shapes has a stroke that shows on white; stroke what is a line, or give")
+    );
     let text = |text: &str| read(text.as_bytes(), FRAME).unwrap_err().to_string();
     assert_eq!(text("<html/>"), "line 1: <html> is no SVG document");
     assert!(text("<svg>\n<g>\n</svg>").starts_with("line 3, column "));
