@@ -4,6 +4,7 @@ use crate::camera::CameraArguments;
 use crate::compare::arguments::{CompareArguments, ProfileArgument};
 use crate::lines::LinesArguments;
 use crate::mesh_argument::MeshArgument;
+use crate::score::{self, ScoreArguments};
 use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand};
@@ -131,6 +132,9 @@ pub enum Command {
         whichever process drew them; times of different machines stand in charts of their own. docs/sweeps has examples for GNU\n\
         parallel, HyperQueue and Slurm.")]
     Merge(MergeArguments),
+    /// Score what another program drew against the truth of a scene: edge lists, line SVG, pictures
+    #[command(after_help = score::HELP)]
+    Score(Box<ScoreArguments>),
     /// Measure what a paper printed, and set both side by side: tables, charts, a page that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
@@ -153,7 +157,9 @@ impl Command {
         match self {
             Self::Doctor | Self::Render(_) | Self::Smooth(_) | Self::Compare(_) | Self::Reproduce(_) => true,
             Self::Lines(arguments) => arguments.quick,
-            Self::Methods(_) | Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) | Self::Merge(_) => false,
+            Self::Methods(_) | Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) | Self::Merge(_) | Self::Score(_) => {
+                false
+            }
         }
     }
 }

@@ -27,6 +27,7 @@ mod output;
 mod progress;
 mod render;
 mod reproduce;
+mod score;
 mod smooth;
 mod spoken;
 mod winding;
@@ -77,6 +78,7 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments, registry),
         Command::Merge(arguments) => merge::run(&arguments, registry),
+        Command::Score(arguments) => score::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }

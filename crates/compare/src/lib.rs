@@ -14,6 +14,7 @@
 //! 7. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
 //! 8. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
 //! 9. [`report`]: files for people and programs.
+//! 10. [`foreign`]: what other programs drew, scored against the same truth.
 //!
 //! [`plot`]: what charts as SVG are made of.
 //! [`result_directory`]: how directories of results are written.
@@ -22,6 +23,7 @@ pub mod camera_path;
 pub mod coherence;
 pub mod cost;
 pub mod drawing;
+pub mod foreign;
 pub mod interval;
 pub mod machine;
 pub mod metrics;
