@@ -24,6 +24,7 @@ mod mesh_argument;
 mod out_of_view;
 mod output;
 mod progress;
+mod recommend;
 mod render;
 mod reproduce;
 mod smooth;
@@ -74,6 +75,7 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments, registry),
         Command::Merge(arguments) => merge::run(&arguments, registry),
+        Command::Recommend(arguments) => recommend::run(&arguments, registry),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }

@@ -8,8 +8,8 @@ use super::frame_source::{FrameSource, Output};
 use super::subject::Subject;
 use super::truths::{Scored, Truths};
 use crate::cost::{FrameCost, PrepareCost};
+use crate::drawing::afresh::Afresh;
 use crate::drawing::{DrawError, Drawing, FrameStyle, Ground};
-use crate::metrics::PictureKind;
 use crate::options::OptionSettings;
 use crate::record::{CameraRecord, Cell, PenRecord, View};
 use crate::scene::{MethodChoice, Scene};
@@ -20,8 +20,6 @@ use silhouette_core::view::Camera;
 use silhouette_gpu::PenPlacement;
 use silhouette_render::Gpu;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-use std::time::Instant;
 
 /// A mesh with its truth, on which cells are run one after another.
 pub(super) struct Bench<'a> {
@@ -83,23 +81,18 @@ impl<'a> Bench<'a> {
 
     /// Prepares a method for a mesh that nothing was derived from, so that its time holds everything it needs.
     fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost), DrawError> {
-        let fresh = Arc::new(self.subject.mesh.mesh.fresh());
-        let start = Instant::now();
-        let prepared = choice.entry.prepare(&fresh, &choice.options, self.progress)?;
-        let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
-        let bytes = prepared.bytes() + fresh.report().iter().map(|artefact| artefact.bytes).sum::<usize>();
-
         let Scene { picture, pen, .. } = self.scene;
-        let ground = match choice.picture {
-            PictureKind::Lines => Ground::Paper,
-            PictureKind::Fill => Ground::Transparent,
+        let style = FrameStyle {
+            size: picture.size(),
+            pen_width_px: pen.width_px,
+            samples: picture.samples,
+            ground: Ground::measured(choice.picture),
         };
-        let (size, samples) = (picture.size(), picture.samples);
-        let style = FrameStyle { size, pen_width_px: pen.width_px, samples, ground };
-        let start = Instant::now();
-        let drawing = Drawing::new(self.gpu, &fresh, prepared, choice.picture, style)?;
-        let renderer_ms = start.elapsed().as_secs_f64() * 1000.0;
-        Ok((drawing, PrepareCost { prepare_ms, renderer_ms, bytes: bytes as u64 }))
+        let method = (&choice.entry, &choice.options);
+        let mesh = &self.subject.mesh.mesh;
+        let Afresh { drawing, cost, .. } =
+            Afresh::prepare(self.gpu, mesh, method, choice.picture, style, self.progress)?;
+        Ok((drawing, cost))
     }
 
     /// Follows the path with whatever draws the frames, and scores what was kept.
