@@ -31,7 +31,7 @@ pub struct RecommendArguments {
     #[arg(long, value_enum, default_value_t = GoalArgument::Lines)]
     pub goal: GoalArgument,
     /// The largest error, by the name of a metric of docs/METRICS.md that is better the lower it is, or without a name for that of
-    /// the goal [default: chamfer_px=0.5 for lines, xor_share=0.01 for fill, differing_edges=0 for loops]
+    /// the goal [default: chamfer_px=0.5 for lines, boundary_chamfer_px=0.5 for fill, differing_edges=0 for loops]
     #[arg(long, value_name = "[NAME=]MAX")]
     pub error: Option<String>,
     /// The longest time in milliseconds: of a whole frame for lines and fill, of an extraction for loops [default: any]

@@ -99,11 +99,11 @@ impl Goal {
         metric.collect()
     }
 
-    /// The limit where the user states none: lines half a pixel off on average, a hundredth of the area, all edges and no others.
+    /// The limit where the user states none: lines and boundaries half a pixel off on average, all edges and no others.
     pub fn default_limit(self) -> ErrorLimit {
         let (name, max) = match self {
             Self::Lines => ("chamfer_px", 0.5),
-            Self::Fill => ("xor_share", 0.01),
+            Self::Fill => ("boundary_chamfer_px", 0.5),
             Self::Loops => ("differing_edges", 0.0),
         };
         ErrorLimit { metric: name.to_owned(), max }
@@ -195,7 +195,7 @@ mod tests {
             assert!(fault.contains("NAME=MAX") && fault.contains("chamfer_px=0.2"), "{fault}");
         }
         let fault = limit(Goal::Fill, "chamfer_px=1").unwrap_err();
-        assert!(fault.contains("no error of fill") && fault.contains("boundary_chamfer_px"), "{fault}");
+        assert!(fault.contains("no error of fill") && fault.contains("xor_share"), "{fault}");
         assert!(limit(Goal::Fill, "psnr_db=30").is_err(), "higher is better");
     }
 

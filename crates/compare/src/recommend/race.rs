@@ -1,8 +1,9 @@
 //! Step 4: the race. Candidates are measured in few views each, and those that cannot win are dropped as soon as that shows.
 //!
-//! 1. Every method with its default options, in the order of the registry; a preparation that takes long is broken off.
-//! 2. Options at the values of their sweeps, those of fast methods first, until the race's share of the time is spent.
-//! 3. Methods whose preparation was broken off, with more time for it.
+//! 1. Every method with its default options in one view, in the order of the registry; a preparation that takes long is broken off.
+//! 2. Those of them that are still in the race in some more views, the fastest first.
+//! 3. Options at the values of their sweeps, those of fast methods first, until the race's share of the time is spent.
+//! 4. Methods whose preparation was broken off, with more time for it.
 //!
 //! A candidate is dropped by another that errs no more and is at least [`MARGIN`] times as fast, or where it misses a limit by that
 //! factor: single frames vary by less, on a machine that is not overloaded.
@@ -72,28 +73,30 @@ pub fn race<M: Meter>(
     request: &Request,
     changed: &[bool],
 ) -> Result<Vec<Standing>, CompareError> {
-    let mut race = Race { measurer, request, standings: Vec::new() };
-    let defaults: Vec<usize> = (0..changed.len()).filter(|&candidate| !changed[candidate]).collect();
+    let mut race = Race { measurer, request, standings: vec![None; changed.len()] };
+    let [mut defaults, mut sweeps] = [false, true]
+        .map(|of_sweep| (0..changed.len()).filter(|&candidate| changed[candidate] == of_sweep).collect::<Vec<_>>());
     for &candidate in &defaults {
-        race.enter(candidate, PREPARATION, METHODS_END)?;
+        race.enter(candidate, 1, PREPARATION, METHODS_END)?;
     }
-    let mut sweeps: Vec<(f64, usize)> = Vec::new();
-    for candidate in (0..changed.len()).filter(|&candidate| changed[candidate]) {
-        // A method whose defaults refuse the mesh or take too long to prepare is not tried with other options.
-        if let Some(default) = race.default_of(candidate) {
-            sweeps.push((default.ms, candidate));
+    race.sort_by_time(&mut defaults, |race, candidate| race.standings[candidate]);
+    for &candidate in &defaults {
+        if race.standings[candidate].is_some_and(|standing| !race.is_dropped(&standing)) {
+            race.enter(candidate, VIEWS, PREPARATION, METHODS_END)?;
         }
     }
-    sweeps.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
-    for (_, candidate) in sweeps {
-        race.enter(candidate, PREPARATION, SWEEPS_END)?;
+    // A method whose defaults refuse the mesh or take too long to prepare is not tried with other options.
+    sweeps.retain(|&candidate| race.default_of(candidate).is_some());
+    race.sort_by_time(&mut sweeps, Race::default_of);
+    for candidate in sweeps {
+        race.enter(candidate, VIEWS, PREPARATION, SWEEPS_END)?;
     }
     for &candidate in &defaults {
         if race.measurer.page(candidate).too_slow_s.is_some() {
-            race.enter(candidate, LONG_PREPARATION, METHODS_END)?;
+            race.enter(candidate, VIEWS, LONG_PREPARATION, METHODS_END)?;
         }
     }
-    let mut standings = race.standings;
+    let mut standings: Vec<Standing> = race.standings.into_iter().flatten().collect();
     standings.sort_by(Standing::before);
     Ok(standings)
 }
@@ -101,33 +104,33 @@ pub fn race<M: Meter>(
 struct Race<'a, 'b, M> {
     measurer: &'a mut Measurer<'b, M>,
     request: &'a Request,
-    standings: Vec<Standing>,
+    /// By candidate; `None` where it was not measured.
+    standings: Vec<Option<Standing>>,
 }
 
 impl<M: Meter> Race<'_, '_, M> {
-    /// Measures a candidate until it has its views or is dropped. What was measured before counts whenever it was.
-    fn enter(&mut self, candidate: usize, preparation: f64, share: f64) -> Result<(), CompareError> {
+    /// Measures a candidate until it has so many views or is dropped. What was measured before counts whenever it was.
+    fn enter(&mut self, candidate: usize, views: u32, preparation: f64, share: f64) -> Result<(), CompareError> {
         let until_s = self.request.seconds * share;
         let prepare_until_s = self.measurer.elapsed_s() + self.request.seconds * preparation;
-        let mut standing = None;
-        for index in 0..VIEWS {
+        for index in 0..views {
             let view = ViewId { purpose: Purpose::Choice, index };
             if self.measurer.sample(candidate, view, prepare_until_s, until_s)?.is_none() {
                 break;
             }
             let samples = &self.measurer.page(candidate).samples(Purpose::Choice)[..=index as usize];
-            standing = Standing::of(candidate, samples, self.request.metric);
+            let standing = Standing::of(candidate, samples, self.request.metric);
+            self.standings[candidate] = standing;
             if standing.is_some_and(|standing| self.is_dropped(&standing)) {
                 break;
             }
         }
-        self.standings.extend(standing);
         Ok(())
     }
 
     fn is_dropped(&self, standing: &Standing) -> bool {
-        let is_beaten =
-            self.standings.iter().any(|other| other.error <= standing.error && other.ms * MARGIN <= standing.ms);
+        let mut others = self.standings.iter().flatten();
+        let is_beaten = others.any(|other| other.error <= standing.error && other.ms * MARGIN <= standing.ms);
         let is_late = self.request.max_ms.is_some_and(|max_ms| standing.ms > MARGIN * max_ms);
         is_beaten || is_late || standing.error > MARGIN * self.request.limit.max
     }
@@ -135,6 +138,12 @@ impl<M: Meter> Race<'_, '_, M> {
     /// Where the method of a candidate stands with its default options.
     fn default_of(&self, candidate: usize) -> Option<Standing> {
         let method = |candidate: usize| self.measurer.page(candidate).method.as_str();
-        self.standings.iter().find(|other| method(other.candidate) == method(candidate)).copied()
+        self.standings.iter().flatten().find(|other| method(other.candidate) == method(candidate)).copied()
+    }
+
+    /// Sorts candidates by the time of a standing, those without one last.
+    fn sort_by_time(&self, candidates: &mut [usize], of: impl Fn(&Self, usize) -> Option<Standing>) {
+        let ms = |candidate: usize| of(self, candidate).map_or(f64::INFINITY, |standing| standing.ms);
+        candidates.sort_by(|&one, &other| ms(one).total_cmp(&ms(other)).then(one.cmp(&other)));
     }
 }

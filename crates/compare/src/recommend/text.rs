@@ -1,7 +1,7 @@
 //! [`Recommendation`] as text: the answer first, then what it rests on.
 
 use super::check::Check;
-use super::promise::SHARE;
+use super::promise::{CONFIDENCE, SHARE};
 use super::recommendation::{Better, Finding, NotMeasured, Promise, Reason, Recommendation};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -68,9 +68,10 @@ fn promised(promise: &Promise, found: &Recommendation) -> String {
     let Promise { views, over, confidence, measured_error, measured_ms, .. } = promise;
     let kept = views - over;
     let share = SHARE * 100.0;
+    let more = if *confidence < CONFIDENCE { "; --seconds gives more views and confidence" } else { "" };
     format!(
         "kept in at least {share} % of views, with {:.0} % confidence: it was in {kept} of {views} views drawn after the choice; in \
-         {share} % of them error {} and {} ms at most",
+         {share} % of them error {} and {} ms at most{more}",
         (confidence * 100.0).floor(),
         number(*measured_error, unit),
         rounded(*measured_ms)
