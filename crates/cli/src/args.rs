@@ -1,19 +1,16 @@
 //! The command line, as clap reads it.
 
-use crate::camera::{CameraArguments, UpAxisArgument};
+use crate::camera::CameraArguments;
+use crate::compare::arguments::{CompareArguments, ProfileArgument};
 use crate::lines::LinesArguments;
 use crate::mesh_argument::MeshArgument;
 use crate::recommend::{GoalArgument, RecommendArguments};
 use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use silhouette_compare::Profile;
-use silhouette_compare::sweep::Shard;
+use clap::{Args, Parser, Subcommand};
 use silhouette_core::method::Source;
 use silhouette_papers::Paper;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Find, draw and compare the silhouettes of triangle meshes.
 ///
@@ -107,6 +104,7 @@ pub enum Command {
         silhouettes compare bunny.obj -o out/bunny\n  \
         silhouettes compare bunny.obj fandisk.obj --methods brute-force,image-precision --profile quick -o out/two\n  \
         silhouettes compare bunny.obj --methods brute-force,tracking --set tracking.concavity=0,0.5,1 -o out/sweep\n  \
+        silhouettes compare bunny.obj --methods brute-force,tracking --sweep tracking.concavity --budget 30 -o out/front\n  \
         silhouettes compare --scene crates/compare/scenes/quick.toml -o out/scene\n  \
         silhouettes compare bunny.obj --simplify 500 -o out/coarse\n  \
         silhouettes compare bunny.obj --peers vtk.jsonl --peers numpy.jsonl -o out/peers\n  \
@@ -115,6 +113,8 @@ pub enum Command {
         in it are relative to its folder. Times and accuracy are of the same frames: of the timed frames some are scored.\n\
         A simplified mesh keeps its components, holes and handles. Where N faces are too few for that, it is refused with the\n\
         number that can be reached.\n\n\
+        Each sweep varies one option about the scene's cells, so several add up, where lists of --set multiply. With --budget the value\n\
+        in the middle of the widest gap of the front is measured next, on all meshes, until the front is fine or the time is up.\n\n\
         Finished cells are kept beside the report until it is written: a comparison that was interrupted goes on where it was when\n\
         the same command is given again. Shards of one comparison may share a folder; `silhouettes merge` makes the report.")]
     Compare(CompareArguments),
@@ -290,60 +290,6 @@ fn samples(text: &str) -> Result<u32, String> {
 pub fn bend(text: &str) -> Result<f64, String> {
     let degrees = text.parse().ok().filter(|degrees: &f64| (0.0..=180.0).contains(degrees));
     degrees.ok_or_else(|| "expected an angle of 0 to 180 degrees".to_owned())
-}
-
-/// How much a comparison measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ProfileArgument {
-    /// Small pictures, part of a turn: under a minute per mesh, even in software
-    Quick,
-    /// Large pictures, a whole turn
-    Full,
-}
-
-impl From<ProfileArgument> for Profile {
-    fn from(argument: ProfileArgument) -> Self {
-        match argument {
-            ProfileArgument::Quick => Self::Quick,
-            ProfileArgument::Full => Self::Full,
-        }
-    }
-}
-
-/// Arguments of `compare`.
-#[derive(Debug, Args)]
-pub struct CompareArguments {
-    /// Mesh files or builtin:NAME [default: those of the scene]
-    pub meshes: Vec<MeshArgument>,
-    /// Scene file (.toml) instead of a profile
-    #[arg(long, value_name = "FILE", conflicts_with = "profile")]
-    pub scene: Option<PathBuf>,
-    /// How much to measure: a built-in scene
-    #[arg(long, value_enum, default_value_t = ProfileArgument::Quick)]
-    pub profile: ProfileArgument,
-    /// Names of the methods, separated by commas [default: those of the scene, or all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub methods: Vec<String>,
-    /// An option of a method; several values make one cell each, several options multiply
-    #[arg(long, value_name = "METHOD.OPTION=VALUE[,VALUE...]")]
-    pub set: Vec<String>,
-    /// The axis that the camera's path is around, and that points up [default: that of the scene]
-    #[arg(long, value_enum, value_name = "AXIS")]
-    pub up_axis: Option<UpAxisArgument>,
-    #[command(flatten)]
-    pub orient: OrientArgument,
-    /// Draw each mesh simplified to at most N faces, and measure filled pictures against all of it
-    #[arg(long, value_name = "N")]
-    pub simplify: Option<NonZeroUsize>,
-    /// Extraction timings of other tools for the report, as benches/peers writes them; may be given several times
-    #[arg(long, value_name = "FILE.jsonl")]
-    pub peers: Vec<PathBuf>,
-    /// Measure only the I-th of N shares of the cells, to be merged with the others [default: that of a Slurm job array, or all]
-    #[arg(long, value_name = "I/N", value_parser = Shard::from_str, conflicts_with = "peers")]
-    pub shard: Option<Shard>,
-    /// Folder for the report; made, or replaced where it holds an earlier report. With --shard: for the finished cells
-    #[arg(short, long, value_name = "DIR")]
-    pub output: PathBuf,
 }
 
 /// Arguments of `merge`.

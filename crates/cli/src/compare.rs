@@ -1,6 +1,7 @@
 //! `silhouettes compare`: methods on meshes, measured for speed and accuracy, and the report.
 
-use crate::args::CompareArguments;
+pub mod arguments;
+
 use crate::failure::{self, Failure};
 use crate::input;
 use crate::mesh_argument::MeshArgument;
@@ -8,10 +9,13 @@ use crate::output::check_writable;
 use crate::progress::TerminalProgress;
 use crate::render::draws_itself;
 use crate::winding::Winding;
+use arguments::CompareArguments;
+use silhouette_compare::metrics::PictureKind;
+use silhouette_compare::metrics::table::{self, MetricSpec};
 use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
 use silhouette_compare::scaling::{ExtractionRow, read_rows};
 use silhouette_compare::scene::{MeshSpec, Scene};
-use silhouette_compare::sweep::{CellStore, Key, Shard, ShardError, merge, run_shard};
+use silhouette_compare::sweep::{Budget, CellStore, Errors, Key, Refinement, Shard, ShardError, merge, run_shard};
 use silhouette_compare::{Profile, Registry, report};
 use silhouette_core::Progress;
 use silhouette_render::{AdapterChoice, Gpu};
@@ -46,16 +50,40 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
         ));
     }
     let measured = run_shard(&config, &subjects, &store, Shard::WHOLE, &gpu, &progress).map_err(of_shard);
-    if let Err(failure) = measured {
-        return Err(after_failure(failure, store));
-    }
-    let mut comparison = merge(std::slice::from_ref(&store), registry).map_err(Failure::run)?;
+    let measured = measured.and_then(|()| merge(std::slice::from_ref(&store), registry).map_err(Failure::run));
+    let measured = measured.and_then(|mut comparison| {
+        if let Some(time) = arguments.budget {
+            let refinement =
+                Refinement { config: &config, subjects: &subjects, registry, gpu: &gpu, progress: &progress };
+            let budget = Budget { time, errors: errors(arguments.error) };
+            let added = refinement.refine(&store, &mut comparison, &budget).map_err(of_shard)?;
+            failure::note(match added {
+                0 => "no value was added within the budget".to_owned(),
+                1 => "1 value was added within the budget".to_owned(),
+                added => format!("{added} values were added within the budget"),
+            });
+        }
+        Ok(comparison)
+    });
+    let mut comparison = match measured {
+        Ok(comparison) => comparison,
+        Err(failure) => return Err(after_failure(failure, store)),
+    };
     for cell in &comparison.left_out {
         failure::note(cell);
     }
     comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
     store.remove().map_err(Failure::run)
+}
+
+/// The errors of the fronts: the one named for its kind of picture, and the usual one for the other.
+fn errors(named: Option<&'static MetricSpec>) -> Errors {
+    let of = |kind: PictureKind, usual: &str| {
+        let named = named.filter(|metric| metric.kind == kind);
+        named.or_else(|| table::find(usual)).expect("the table holds the usual metrics")
+    };
+    Errors { lines: of(PictureKind::Lines, "chamfer_px"), fill: of(PictureKind::Fill, "boundary_chamfer_px") }
 }
 
 /// The rows of several files.
@@ -124,6 +152,12 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
     }
     for setting in &arguments.set {
         scene.set(setting, registry).map_err(|fault| Failure::Input(format!("--set {setting}: {fault}")))?;
+    }
+    for sweep in &arguments.sweep {
+        scene.sweep(sweep, registry).map_err(|fault| Failure::Input(format!("--sweep {sweep}: {fault}")))?;
+    }
+    if let Some(passes) = arguments.passes {
+        scene.path.passes = passes;
     }
     if !arguments.meshes.is_empty() {
         scene.meshes = arguments.meshes.iter().map(|mesh| MeshSpec::Plain(mesh.to_string())).collect();

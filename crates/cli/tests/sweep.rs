@@ -92,3 +92,63 @@ fn what_is_no_shard_or_no_cells_is_refused() {
     let line = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(2) && line.contains("holds no cells"), "{line}");
 }
+
+/// What a run says of its scene, as a scene file whose meshes are named elsewhere.
+fn scene_of(report: &Path) -> String {
+    let run: serde_json::Value = serde_json::from_slice(&fs::read(report.join("run.json")).unwrap()).unwrap();
+    let mut scene = run["scene"].clone();
+    scene.as_object_mut().unwrap().remove("name");
+    toml::to_string(&scene).unwrap()
+}
+
+#[test]
+fn a_refined_sweep_is_a_scene_that_can_be_repeated() {
+    if silhouette_testing::gpu_or_skip("a_refined_sweep_is_a_scene_that_can_be_repeated").is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let run = |arguments: &[&str], output: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_silhouettes"));
+        command.args(["compare", "builtin:gear"]).args(arguments).arg("-o").arg(at(output)).output().unwrap()
+    };
+    let methods = ["--methods", "brute-force,fine-mesh,pn-triangles"];
+    let sweeps = ["--sweep", "pn-triangles.level=2", "--sweep", "tracking.concavity=2"];
+    let refused = run(&[&methods[..], &sweeps[..]].concat(), "refused");
+    let line = String::from_utf8(refused.stderr).unwrap();
+    assert!(refused.status.code() == Some(2) && line.contains("name it in --methods"), "{line}");
+
+    // An error that few frames change; time enough to halve a few gaps.
+    let refined = run(&[&methods[..], &sweeps[..2], &["--budget", "20", "--error", "xor_share"]].concat(), "refined");
+    succeeded(&refined);
+    let rows = accuracy(&at("refined"));
+    let mut levels: Vec<String> = rows.iter().map(|row| row["pn-triangles.level"].clone()).collect();
+    levels.sort_unstable();
+    levels.dedup();
+    assert!(["0", "3", "7"].iter().all(|level| levels.contains(&(*level).to_owned())), "{levels:?}");
+    let left: Vec<_> = folder.path().read_dir().unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left, ["refined"], "finished cells are removed once the report is there");
+
+    fs::write(at("scene.toml"), scene_of(&at("refined"))).unwrap();
+    let repeated = run(&["--scene", at("scene.toml").to_str().unwrap()], "repeated");
+    succeeded(&repeated);
+    assert_eq!(accuracy(&at("repeated")), rows);
+}
+
+#[test]
+fn what_cannot_be_swept_or_refined_is_refused_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |arguments: &[&str], expected: &str| {
+        let output = compare(arguments, &folder.path().join("out"));
+        let line = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && line.contains(expected), "{arguments:?}: {line}");
+    };
+    refused(&["--sweep", "tracking.jump"], "tracking.jump has no sweep; there are concavity");
+    refused(&["--sweep", "tracking"], "METHOD.OPTION[=N]");
+    refused(&["--budget", "0"], "seconds above 0");
+    refused(&["--budget", "5", "--error", "width_mean_px"], "chamfer_px");
+    refused(&["--error", "chamfer_px"], "--budget");
+    refused(&["--budget", "5", "--shard", "1/2"], "--shard");
+    refused(&["--passes", "0"], "path.passes = 0");
+    assert!(folder.path().read_dir().unwrap().next().is_none());
+}

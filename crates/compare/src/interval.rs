@@ -38,7 +38,7 @@ fn bootstrap(values: &[f64], statistic: fn(&mut [f64]) -> f64) -> Option<[f64; 2
     if count == 0 {
         return None;
     }
-    let block = (count as f64).cbrt().ceil() as usize;
+    let block = (count as f64).cbrt().round() as usize;
     let mut random = fastrand::Rng::with_seed(SEED);
     let mut sample = vec![0.0; count];
     let mut drawn: Vec<f64> = (0..RESAMPLES)

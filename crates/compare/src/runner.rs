@@ -20,6 +20,7 @@ pub mod subject;
 pub mod truths;
 
 pub use crate::scene::model::DEFAULT_PEN_WIDTH_PX;
+pub(crate) use bench::Bench;
 pub use comparison::{Comparison, LeftOut, Outcome, PictureSet};
 pub use error::CompareError;
 pub use subject::{NamedMesh, SimplifyFault, Subject};
@@ -28,7 +29,6 @@ use crate::machine::RunDescription;
 use crate::registry::Registry;
 use crate::scene::cells::choices;
 use crate::scene::{MethodChoice, Scene, SceneFault};
-use bench::Bench;
 use silhouette_core::Progress;
 use silhouette_render::Gpu;
 

@@ -268,7 +268,7 @@ pub(crate) mod tests {
             (view.edges, view.errors) = (None, None);
             view.metrics = PictureMetrics::Fill(FillMetrics { xor_share, ..FillMetrics::default() });
         }
-        filled
+        filled.with_intervals()
     }
 
     /// The same cell with coherence along an orbit, and a wave that it cannot follow.

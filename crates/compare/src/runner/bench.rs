@@ -22,7 +22,7 @@ use silhouette_render::Gpu;
 use std::collections::BTreeMap;
 
 /// A mesh with its truth, on which cells are run one after another.
-pub(super) struct Bench<'a> {
+pub(crate) struct Bench<'a> {
     scene: &'a Scene,
     gpu: &'a Gpu,
     progress: &'a dyn Progress,

@@ -1,4 +1,4 @@
-//! Step 3: which methods with which options. Each choice, on each mesh, is a cell of the comparison.
+//! Step 4: which methods with which options. Each choice, on each mesh, is a cell of the comparison.
 
 use super::error::SceneFault;
 use super::model::{MethodSpec, OptionSpread, Scene};
@@ -52,10 +52,7 @@ impl Scene {
         if method.is_empty() || option.is_empty() || values.iter().any(is_empty) {
             return Err(form());
         }
-        if self.methods.is_empty() {
-            let every = registry.entries().iter().filter(|entry| yields_pictures(entry));
-            self.select(&every.map(|entry| entry.info().name.to_owned()).collect::<Vec<_>>());
-        }
+        self.list_methods(registry);
         let mut is_compared = false;
         for spec in self.methods.iter_mut().filter(|spec| spec.name == method) {
             spec.options.insert(option.to_owned(), OptionSpread::Several(values.clone()));
@@ -63,6 +60,14 @@ impl Scene {
         }
         let fault = || SceneFault::NotCompared { method: method.to_owned(), option: option.to_owned() };
         if is_compared { Ok(()) } else { Err(fault()) }
+    }
+
+    /// Lists every method that yields pictures, where none is listed, which stands for the same.
+    pub(super) fn list_methods(&mut self, registry: &Registry) {
+        if self.methods.is_empty() {
+            let every = registry.entries().iter().filter(|entry| yields_pictures(entry));
+            self.select(&every.map(|entry| entry.info().name.to_owned()).collect::<Vec<_>>());
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Why a scene is refused.
 
+use super::sweep;
 use crate::registry::UnknownMethod;
 use silhouette_core::method::OptionError;
 use std::io;
@@ -103,12 +104,35 @@ pub enum SceneFault {
         /// The option.
         option: String,
     },
+    /// An option that says of no values that they are worth comparing is to be swept.
+    #[error("{method}.{option} has no sweep; {}", clause_of_sweeps(method, known))]
+    NoSweep {
+        /// The method.
+        method: String,
+        /// The option.
+        option: String,
+        /// Options of the method that have one.
+        known: Vec<&'static str>,
+    },
+    /// A sweep is not of its form.
+    #[error("'{text}' is not of the form METHOD.OPTION[=N], N values from {} to {}", sweep::VALUES.start(), sweep::VALUES.end())]
+    SweepForm {
+        /// What was given.
+        text: String,
+    },
     /// A setting is not of its form.
     #[error("'{text}' is not of the form METHOD.OPTION=VALUE[,VALUE...]")]
     SetForm {
         /// What was given.
         text: String,
     },
+}
+
+fn clause_of_sweeps(method: &str, known: &[&str]) -> String {
+    match known {
+        [] => format!("no option of {method} has one; list values with --set"),
+        known => format!("there are {}; list values of others with --set", known.join(", ")),
+    }
 }
 
 impl From<UnknownMethod> for SceneFault {

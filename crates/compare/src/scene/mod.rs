@@ -2,7 +2,8 @@
 //!
 //! 1. [`file`](mod@file): a file is read; unknown keys and values of a wrong type are refused with their line.
 //! 2. [`limits`]: every value is within its range, and the whole small enough to be run.
-//! 3. [`cells`]: methods and their options are looked up in the registry; lists of values become one cell for each.
+//! 3. [`sweep`]: options are given the values that they declare worth comparing.
+//! 4. [`cells`]: methods and their options are looked up in the registry; lists of values become one cell for each.
 //!
 //! [`Profile`] names the built-in scenes, `scenes/*.toml`.
 
@@ -12,6 +13,7 @@ pub mod file;
 pub mod limits;
 pub mod model;
 pub mod profile;
+pub mod sweep;
 
 pub use cells::MethodChoice;
 pub use error::{SceneError, SceneFault};

@@ -3,7 +3,7 @@
 use crate::machine::program;
 use crate::options::OptionSettings;
 use crate::runner::{CompareConfig, Subject};
-use crate::scene::Scene;
+use crate::scene::{MethodChoice, Scene};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use silhouette_core::{TriangleMesh, VertexId};
@@ -47,10 +47,6 @@ pub struct MeshKey {
 impl Key {
     /// The key of a comparison. O(V + F) of all meshes.
     pub fn of(config: &CompareConfig, subjects: &[Subject]) -> Self {
-        let methods = config.methods().iter().map(|choice| MethodKey {
-            name: choice.entry.info().name.to_owned(),
-            options: OptionSettings::from(&choice.options),
-        });
         let meshes = subjects.iter().map(|subject| MeshKey {
             name: subject.mesh.name.clone(),
             drawn: contents(subject.mesh.mesh.mesh(), subject.mesh.mesh.feature_edges()),
@@ -60,9 +56,14 @@ impl Key {
             program: program(),
             name: config.scene().name.clone(),
             scene: nameless(config.scene()),
-            methods: methods.collect(),
+            methods: methods(config),
             meshes: meshes.collect(),
         }
+    }
+
+    /// The key of the same comparison with other methods: that of `config`, whose scene differs from this one's in them alone.
+    pub fn with_methods(&self, config: &CompareConfig) -> Self {
+        Self { scene: nameless(config.scene()), methods: methods(config), ..self.clone() }
     }
 
     /// The scene with its name.
@@ -83,6 +84,14 @@ impl Key {
         let text = serde_json::to_vec(self).unwrap_or_default();
         format!("{:08x}", crc32fast::hash(&text))
     }
+}
+
+fn methods(config: &CompareConfig) -> Vec<MethodKey> {
+    let key = |choice: &MethodChoice| MethodKey {
+        name: choice.entry.info().name.to_owned(),
+        options: OptionSettings::from(&choice.options),
+    };
+    config.methods().iter().map(key).collect()
 }
 
 /// A scene without its name, which a scene's file does not hold.

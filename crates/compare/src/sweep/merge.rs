@@ -73,8 +73,8 @@ pub fn merge(stores: &[CellStore], registry: &Registry) -> Result<Comparison, Me
     }
     for cell in 0..key.cells() {
         let Some(store) = holder(cell) else { continue };
-        let (run, outcome) = store.read(cell)?;
-        comparison.add(&run, outcome);
+        let kept = store.read(cell)?;
+        comparison.add(&kept.run, kept.outcome);
     }
     Ok(comparison)
 }

@@ -11,9 +11,11 @@ use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 use tempfile::NamedTempFile;
 
 /// A directory of the finished cells of one comparison: `sweep.json` holds its [`Key`], `0007.json` with three pictures each cell.
+/// `refined-DIGEST` are directories of cells that were [added](super::refine) to it.
 ///
 /// Every file appears as a whole. A cell is there once its JSON is, which is written last; so any number of processes may share a
 /// directory, and one that is killed leaves nothing that another would take for a cell.
@@ -69,10 +71,22 @@ pub enum StoreError {
     },
 }
 
+/// A finished cell.
+#[derive(Debug)]
+pub struct Kept {
+    /// By what it was measured.
+    pub run: RunDescription,
+    /// How long that took, wall time.
+    pub took: Duration,
+    /// What was measured.
+    pub outcome: Outcome,
+}
+
 /// The JSON of a cell.
 #[derive(Serialize, Deserialize)]
 struct CellFile {
     run: RunDescription,
+    took_ms: u64,
     cell: Option<Cell>,
     /// Which frame the pictures are of.
     pictured: Option<u32>,
@@ -80,6 +94,7 @@ struct CellFile {
 }
 
 const KEY: &str = "sweep.json";
+const NESTED: &str = "refined-";
 const PICTURES: [&str; 3] = ["drawn", "truth", "difference"];
 
 impl CellStore {
@@ -121,6 +136,14 @@ impl CellStore {
         Ok(Self { folder: folder.to_owned(), key: read_key(folder)? })
     }
 
+    /// Opens a directory of cells that are added to this comparison, within its own; see [`open`](Self::open).
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub fn nested(&self, key: Key) -> Result<Self, StoreError> {
+        Self::open(&self.folder.join(format!("{NESTED}{}", key.digest())), key)
+    }
+
     /// The key of its comparison.
     pub fn key(&self) -> &Key {
         &self.key
@@ -153,12 +176,13 @@ impl CellStore {
         (0..self.key.cells()).filter(|&cell| self.holds(cell)).count()
     }
 
-    /// Writes a finished cell, measured by `run`.
+    /// Writes a finished cell, measured by `run`, with the time that this took.
     ///
     /// # Errors
     /// [`StoreError::Io`].
-    pub fn put(&self, index: usize, run: &RunDescription, outcome: &Outcome) -> Result<(), StoreError> {
+    pub fn put(&self, index: usize, run: &RunDescription, took: Duration, outcome: &Outcome) -> Result<(), StoreError> {
         let path = self.json(index);
+        let (run, took_ms) = (run.clone(), u64::try_from(took.as_millis()).unwrap_or(u64::MAX));
         let file = match outcome {
             Outcome::Measured { cell, pictures } => {
                 for (name, image) in PICTURES.iter().zip([&pictures.drawn, &pictures.truth, &pictures.difference]) {
@@ -167,25 +191,27 @@ impl CellStore {
                     write_whole(&path, &png)?;
                 }
                 let cell = Some((**cell).clone());
-                CellFile { run: run.clone(), cell, pictured: Some(pictures.frame), left_out: None }
+                CellFile { run, took_ms, cell, pictured: Some(pictures.frame), left_out: None }
             }
             Outcome::LeftOut(left_out) => {
-                CellFile { run: run.clone(), cell: None, pictured: None, left_out: Some(left_out.clone()) }
+                CellFile { run, took_ms, cell: None, pictured: None, left_out: Some(left_out.clone()) }
             }
         };
         let text = serde_json::to_vec(&file).map_err(|error| at(&path)(error.into()))?;
         write_whole(&path, &text)
     }
 
-    /// Reads a finished cell, and by what it was measured.
+    /// Reads a finished cell.
     ///
     /// # Errors
     /// [`StoreError::Damaged`], [`StoreError::Io`].
-    pub fn read(&self, index: usize) -> Result<(RunDescription, Outcome), StoreError> {
+    pub fn read(&self, index: usize) -> Result<Kept, StoreError> {
         let path = self.json(index);
         let damaged = |reason: &str| StoreError::Damaged { path: path.clone(), reason: reason.to_owned() };
         let text = fs::read(&path).map_err(at(&path))?;
         let file: CellFile = serde_json::from_slice(&text).map_err(|error| damaged(&error.to_string()))?;
+        let took = Duration::from_millis(file.took_ms);
+        let run = file.run.clone();
         let outcome = match file {
             CellFile { cell: Some(cell), pictured: Some(frame), .. } => {
                 let expected = &self.key.methods[index % self.key.methods.len()];
@@ -199,10 +225,10 @@ impl CellStore {
             CellFile { left_out: Some(left_out), .. } => Outcome::LeftOut(left_out),
             _ => return Err(damaged("holds neither a cell nor why there is none")),
         };
-        Ok((file.run, outcome))
+        Ok(Kept { run, took, outcome })
     }
 
-    /// Removes the cells, and the directory where nothing else is in it.
+    /// Removes the cells, those that were added, and the directory where nothing else is in it.
     ///
     /// # Errors
     /// [`StoreError::Io`].
@@ -216,6 +242,8 @@ impl CellStore {
         for entry in fs::read_dir(&self.folder).map_err(at(&self.folder))?.flatten() {
             if is_part(&entry.file_name()) {
                 remove_file(&entry.path())?;
+            } else if entry.file_name().to_str().is_some_and(|name| name.starts_with(NESTED)) {
+                Self::existing(&entry.path())?.remove()?;
             }
         }
         remove_file(&self.folder.join(KEY))?;

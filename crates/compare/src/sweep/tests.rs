@@ -12,6 +12,10 @@ use silhouette_core::{PreparedMesh, shapes};
 use silhouette_render::Image;
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Duration;
+
+/// What each cell took.
+const TOOK: Duration = Duration::from_millis(1500);
 
 const METHODS: [&str; 2] = ["brute-force", "tracking"];
 
@@ -51,7 +55,7 @@ fn outcome(index: usize) -> Outcome {
 fn store(folder: &Path, cells: &[usize]) -> CellStore {
     let store = CellStore::open(folder, key("cube")).unwrap();
     for &cell in cells {
-        store.put(cell, &sample::run(), &outcome(cell)).unwrap();
+        store.put(cell, &sample::run(), TOOK, &outcome(cell)).unwrap();
     }
     store
 }
@@ -83,7 +87,7 @@ fn runs_on_two_machines_are_told_apart() {
     let store = store(folder.path(), &[0, 1]);
     let elsewhere = crate::machine::RunDescription { cpu: "another".to_owned(), ..sample::run() };
     for cell in [2, 3] {
-        store.put(cell, &elsewhere, &outcome(cell)).unwrap();
+        store.put(cell, &elsewhere, TOOK, &outcome(cell)).unwrap();
     }
     let merged = merge(&[store], &Registry::builtin()).unwrap();
     assert_eq!(merged.runs, [sample::run(), elsewhere]);
@@ -131,12 +135,12 @@ fn a_process_that_was_killed_leaves_no_half_of_a_cell() {
     std::fs::write(folder.path().join("0001-drawn.png"), "half").unwrap();
     std::fs::write(folder.path().join(".cell-x.part"), "half").unwrap();
     assert!(!store.holds(1) && store.count() == 1);
-    store.put(1, &sample::run(), &outcome(1)).unwrap();
-    assert!(store.read(1).is_ok());
+    store.put(1, &sample::run(), TOOK, &outcome(1)).unwrap();
+    assert_eq!(store.read(1).unwrap().took, TOOK);
     // A cell whose picture was lost is no cell.
     std::fs::remove_file(folder.path().join("0001-truth.png")).unwrap();
     assert!(!store.holds(1));
-    store.put(1, &sample::run(), &outcome(1)).unwrap();
+    store.put(1, &sample::run(), TOOK, &outcome(1)).unwrap();
     assert!(store.holds(1) && store.read(1).is_ok());
     // A file that is damaged afterwards names itself.
     std::fs::write(folder.path().join("0000.json"), "{").unwrap();

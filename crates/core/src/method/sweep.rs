@@ -38,8 +38,8 @@ impl Sweep {
         format!("{number:.2e}").parse().unwrap_or(number)
     }
 
-    /// Where a number lies between the ends: 0 to 1, beyond them where it lies outside.
-    fn place(&self, number: f64) -> f64 {
+    /// Where a number lies between the ends: 0 to 1, beyond them where it lies outside. NaN for words, and where there is no logarithm.
+    pub fn place(&self, number: f64) -> f64 {
         match *self {
             Self::Linear { from, to } => (number - from) / (to - from),
             Self::Log { from, to } => (number / from).ln() / (to / from).ln(),

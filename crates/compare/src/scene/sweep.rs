@@ -1,0 +1,125 @@
+//! `METHOD.OPTION[=N]`: cells for values of an option, spread over the [sweep](silhouette_core::method::Sweep) that it declares.
+
+use super::error::SceneFault;
+use super::model::{MethodSpec, OptionSpread, Scene};
+use crate::options::OptionSetting;
+use crate::registry::Registry;
+use silhouette_core::method::{OptionSpec, OptionValue};
+use std::ops::RangeInclusive;
+
+/// How many values a sweep has where nothing is said.
+pub const DEFAULT_VALUES: usize = 5;
+
+/// How many values a sweep may be asked for.
+pub const VALUES: RangeInclusive<usize> = 2..=64;
+
+impl Scene {
+    /// Adds cells for `N` values of an option, [`DEFAULT_VALUES`] where no number is given, to every cell of its method that the scene
+    /// lists. Each sweep varies one option and leaves the others: several sweeps add, where lists of [`set`](Self::set) multiply.
+    ///
+    /// # Errors
+    /// [`SceneFault`]: the text is not of this form, the method is not compared, or the option has no sweep.
+    pub fn sweep(&mut self, text: &str, registry: &Registry) -> Result<(), SceneFault> {
+        let form = || SceneFault::SweepForm { text: text.to_owned() };
+        let (place, count) = text.split_once('=').map_or((text, None), |(place, count)| (place, Some(count)));
+        let count = count.map_or(Ok(DEFAULT_VALUES), |count| count.parse().map_err(|_| form()))?;
+        let (method, option) = place.split_once('.').ok_or_else(form)?;
+        if method.is_empty() || option.is_empty() || !VALUES.contains(&count) {
+            return Err(form());
+        }
+        self.list_methods(registry);
+        let specs = registry.find(method)?.info().options;
+        let not_compared = || SceneFault::NotCompared { method: method.to_owned(), option: option.to_owned() };
+        let last = self.methods.iter().rposition(|spec| spec.name == method).ok_or_else(not_compared)?;
+        let spec = specs.iter().find(|spec| spec.name == option && spec.sweep.is_some());
+        let spec = spec.ok_or_else(|| SceneFault::NoSweep {
+            method: method.to_owned(),
+            option: option.to_owned(),
+            known: specs.iter().filter(|spec| spec.sweep.is_some()).map(|spec| spec.name).collect(),
+        })?;
+        let swept = |cell: &MethodSpec| swept(cell, spec, count);
+        let added: Vec<MethodSpec> = self.methods.iter().filter(|cell| cell.name == method).filter_map(swept).collect();
+        self.methods.splice(last + 1..last + 1, added);
+        Ok(())
+    }
+}
+
+/// A cell's method with the values of a sweep that it does not have; `None` where there are none, or where it is swept already.
+fn swept(cell: &MethodSpec, spec: &'static OptionSpec, count: usize) -> Option<MethodSpec> {
+    let present = match cell.options.get(spec.name) {
+        Some(OptionSpread::Several(_)) => return None,
+        Some(OptionSpread::One(value)) => value.clone(),
+        None => setting(spec.default_value()),
+    };
+    let values: Vec<OptionSetting> =
+        spec.sweep_values(count).into_iter().map(setting).filter(|value| *value != present).collect();
+    // Values that another sweep varies stay as they are there.
+    if values.is_empty() || cell.options.values().any(|spread| matches!(spread, OptionSpread::Several(_))) {
+        return None;
+    }
+    let mut swept = cell.clone();
+    swept.options.insert(spec.name.to_owned(), OptionSpread::Several(values));
+    Some(swept)
+}
+
+fn setting(value: OptionValue) -> OptionSetting {
+    OptionSetting::from(value.to_string().as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cells::choices;
+    use super::super::profile::Profile;
+    use super::*;
+
+    fn scene(methods: &[&str], sweeps: &[&str]) -> Result<Vec<String>, String> {
+        let registry = Registry::builtin();
+        let mut scene = Profile::Quick.scene();
+        scene.select(&methods.iter().map(|&name| name.to_owned()).collect::<Vec<_>>());
+        for sweep in sweeps {
+            scene.sweep(sweep, &registry).map_err(|fault| fault.to_string())?;
+        }
+        let choices = choices(&scene, &registry).map_err(|fault| fault.to_string())?;
+        Ok(choices.iter().map(|choice| format!("{} {}", choice.entry.info().name, choice.options)).collect())
+    }
+
+    fn values(cells: &[String], option: &str) -> Vec<String> {
+        let value = |cell: &String| {
+            cell.split(' ').find_map(|word| word.strip_prefix(option)?.strip_prefix('=')).map(str::to_owned)
+        };
+        cells.iter().filter_map(value).collect()
+    }
+
+    #[test]
+    fn a_sweep_adds_its_values_and_keeps_the_default_once() {
+        let cells = scene(&["brute-force", "tracking"], &["tracking.concavity=3"]).unwrap();
+        assert_eq!(values(&cells, "concavity"), ["0", "0.8", "1.6"]);
+        assert_eq!(cells.len(), 4);
+        let words = scene(&["jump-flood"], &["jump-flood.antialiasing"]).unwrap();
+        assert_eq!(values(&words, "antialiasing"), ["samples", "coverage"]);
+        assert!(scene(&[], &["tracking.concavity"]).unwrap().len() > cells.len(), "of all methods too");
+    }
+
+    #[test]
+    fn sweeps_of_several_options_add_up() {
+        let cells = scene(&["tracking"], &["tracking.concavity=3", "tracking.audit-share=3"]).unwrap();
+        assert_eq!(values(&cells, "concavity"), ["0", "0.8", "1.6", "0", "0"]);
+        assert_eq!(values(&cells, "audit-share"), ["0.1", "0.1", "0.1", "0.01", "1"], "0.1 is the default");
+    }
+
+    #[test]
+    fn what_cannot_be_swept_is_refused_with_what_can() {
+        let refused = |sweep: &str| scene(&["tracking"], &[sweep]).unwrap_err();
+        let none = refused("tracking.jump");
+        assert!(none.contains("tracking.jump has no sweep") && none.contains("concavity"), "{none}");
+        assert!(refused("image-precision.pull").contains("name it in --methods"));
+        assert!(refused("trucking.x").contains("no method 'trucking'"));
+        for form in
+            ["tracking", ".x", "tracking.", "tracking.concavity=", "tracking.concavity=1", "tracking.concavity=9999"]
+        {
+            assert!(refused(form).contains("METHOD.OPTION[=N]"), "{form}");
+        }
+        let fault = scene(&["brute-force"], &["brute-force.x"]).unwrap_err();
+        assert!(fault.contains("no option of brute-force has one"), "{fault}");
+    }
+}
