@@ -195,7 +195,7 @@ fn a_candidate_that_fails_its_examination_gives_way_to_the_next() {
     let mut failed = 0;
     for seed in 0..50 {
         let mut meter = Simulated { seed, ..Simulated::new(&[bad, Truth::new(2.0, 0.1)]) };
-        let (found, check) = answer(&mut meter, &request(0.2, None));
+        let (found, check) = answer(&mut meter, &request(0.2, Some(4.0)));
         assert_eq!(number(found.chosen.as_ref()), Some(1));
         assert!(check.unwrap().is_kept());
         if let Some(examined) = found.failed.first() {
@@ -248,6 +248,9 @@ fn the_calibration_keeps_to_its_time_and_says_what_it_left_out() {
         assert_eq!(promise.views == 124, seconds > 10.0, "{promise:?}");
         assert!((promise.confidence > 0.95) == (promise.views >= 59), "{promise:?}");
     }
+    // Not even a view of the race.
+    let (found, _) = answer(&mut Simulated::new(&[slow]), &request(0.2, None));
+    assert!(found.measured.is_empty() && text(&found, "torus", None).contains("no method was measured"));
     // Not even a view to examine: a choice without a promise.
     let mut meter = Simulated { view_s: 3.0, ..Simulated::new(&[Truth::new(1.0, 0.1); 2]) };
     let (found, check) = answer(&mut meter, &Request { seconds: 5.0, ..request(0.2, None) });

@@ -98,6 +98,9 @@ fn seen(finding: &Finding, found: &Recommendation) -> String {
 }
 
 fn nothing_fits(text: &mut String, found: &Recommendation) {
+    if found.measured.is_empty() {
+        return row(text, "nothing", "no method was measured; --seconds gives more time");
+    }
     row(text, "nothing fits", "no method that was measured keeps to the limits; what comes closest:");
     if let Some(least) = &found.least_error_in_time {
         row(text, "error", &format!("{}: the least error in the time: {}", name(least), seen(least, found)));
