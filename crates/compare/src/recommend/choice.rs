@@ -19,6 +19,9 @@ use crate::runner::CompareError;
 /// as well do.
 pub const VIEWS: u32 = 124;
 
+/// Share of the time left that an examination may take before it is known to go well, so that another candidate has a chance.
+const EXAMINATION: f64 = 0.75;
+
 /// Share of the calibration's time after which the runner-up is not examined any more.
 const RUNNER_UP_END: f64 = 0.9;
 
@@ -75,7 +78,12 @@ pub fn choose<M: Meter>(
     let mut eligible = standings.iter().filter(|standing| request.is_kept(standing.ms, standing.error));
     for standing in eligible.by_ref() {
         let count = choice.failed.len() as u32 + 1;
-        let examined = examine(measurer, request, standing.candidate, count, request.seconds)?;
+        let elapsed_s = measurer.elapsed_s();
+        let until_s = elapsed_s + (request.seconds - elapsed_s) * EXAMINATION;
+        let mut examined = examine(measurer, request, standing.candidate, count, until_s)?;
+        if examined.holds {
+            examined = examine(measurer, request, standing.candidate, count, request.seconds)?;
+        }
         // Where there is no time for a single view, there is a choice, but no promise.
         if examined.holds || examined.views == 0 {
             choice.chosen = Some(examined);

@@ -48,6 +48,8 @@ pub struct Finding {
     pub method: String,
     /// What is not at its default, as `--set` takes it.
     pub set: Option<String>,
+    /// Whether the method always yields all silhouette edges and no others, whatever is measured.
+    pub exact: bool,
     /// Number of views that the figures are of.
     pub views: u32,
     /// Median time in milliseconds.
@@ -169,6 +171,7 @@ fn finding(page: &Page, candidate: usize, of: &Candidate, request: &Request, see
         candidate,
         method: of.method().to_owned(),
         set: of.set(),
+        exact: of.entry.info().exact && of.entry.capabilities().edges,
         views,
         ms,
         worst_ms: seen.iter().map(|sample| sample.ms).fold(0.0, f64::max),

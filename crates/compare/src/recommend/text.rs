@@ -1,5 +1,6 @@
 //! [`Recommendation`] as text: the answer first, then what it rests on.
 
+use super::Goal;
 use super::check::Check;
 use super::promise::{CONFIDENCE, SHARE};
 use super::recommendation::{Better, Finding, NotMeasured, Promise, Reason, Recommendation};
@@ -11,7 +12,9 @@ pub fn text(found: &Recommendation, mesh: &str, check: Option<&Check>) -> String
     let mut text = format!("{mesh}: {} {}\n", found.request.goal.name(), limits(found));
     match &found.chosen {
         Some(chosen) => {
-            row(&mut text, "use", &name(chosen));
+            let is_exact = chosen.exact && found.request.goal == Goal::Loops;
+            let note = if is_exact { ", which is exact: all silhouette edges and no others in every view" } else { "" };
+            row(&mut text, "use", &format!("{}{note}", name(chosen)));
             let none = || format!("none, for lack of time: {}", seen(chosen, found));
             row(&mut text, "promise", &chosen.promise.as_ref().map_or_else(none, |promise| promised(promise, found)));
             row(&mut text, "costs", &costs(chosen, found));
@@ -199,8 +202,8 @@ impl Recommendation {
     /// What a time is measured per.
     pub fn unit_of_work(&self) -> &'static str {
         match self.request.goal {
-            super::Goal::Lines | super::Goal::Fill => "frame",
-            super::Goal::Loops => "extraction",
+            Goal::Lines | Goal::Fill => "frame",
+            Goal::Loops => "extraction",
         }
     }
 }
