@@ -15,6 +15,9 @@ pub const SHARE: f64 = 0.95;
 /// Confidence that is aimed at.
 pub const CONFIDENCE: f64 = 0.95;
 
+/// Confidence below which nothing is promised: a promise is to be kept more likely than not.
+pub const LEAST_CONFIDENCE: f64 = 0.5;
+
 /// The largest probability with which at most `over` of `views` independent views exceed the limits although less than [`SHARE`] of
 /// all views keep to them: 1 where all may exceed. O(over).
 pub fn doubt(views: u32, over: u32) -> f64 {

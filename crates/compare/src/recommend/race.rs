@@ -6,7 +6,7 @@
 //! 4. Methods whose preparation was broken off, with more time for it.
 //!
 //! A candidate is dropped by another that errs no more and is at least [`MARGIN`] times as fast, or where it misses a limit by that
-//! factor: single frames vary by less, on a machine that is not overloaded.
+//! factor while another keeps to both: single frames vary by less, on a machine that is not overloaded.
 
 use super::Request;
 use super::meter::{Meter, Sample};
@@ -129,10 +129,12 @@ impl<M: Meter> Race<'_, '_, M> {
     }
 
     fn is_dropped(&self, standing: &Standing) -> bool {
-        let mut others = self.standings.iter().flatten();
-        let is_beaten = others.any(|other| other.error <= standing.error && other.ms * MARGIN <= standing.ms);
-        let is_late = self.request.max_ms.is_some_and(|max_ms| standing.ms > MARGIN * max_ms);
-        is_beaten || is_late || standing.error > MARGIN * self.request.limit.max
+        let others = || self.standings.iter().flatten();
+        let is_beaten = others().any(|other| other.error <= standing.error && other.ms * MARGIN <= standing.ms);
+        let Request { limit, max_ms, .. } = self.request;
+        let is_late = max_ms.is_some_and(|max_ms| standing.ms > MARGIN * max_ms);
+        let is_beyond = is_late || standing.error > MARGIN * limit.max;
+        is_beaten || is_beyond && others().any(|other| self.request.is_kept(other.ms, other.error))
     }
 
     /// Where the method of a candidate stands with its default options.

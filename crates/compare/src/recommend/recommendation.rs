@@ -5,7 +5,7 @@ use super::candidates::Candidate;
 use super::choice::{Choice, Examined};
 use super::meter::{Meter, Preparation, Sample};
 use super::notebook::{Measurer, Page};
-use super::promise::bound;
+use super::promise::{LEAST_CONFIDENCE, bound};
 use super::race::Standing;
 use super::views::Purpose;
 use serde::Serialize;
@@ -16,7 +16,7 @@ pub struct Recommendation {
     /// What was wanted.
     pub request: Request,
     /// The fastest candidate that keeps to the limits; `None` where none does. Without a promise where there was no time to examine
-    /// it.
+    /// it in enough views.
     pub chosen: Option<Finding>,
     /// The next one of another method that keeps to them.
     pub runner_up: Option<Finding>,
@@ -183,7 +183,7 @@ fn finding(page: &Page, candidate: usize, of: &Candidate, request: &Request, see
 
 /// What an examination that holds lets promise.
 fn promise(backing: &[Sample], request: &Request, examined: &Examined) -> Option<Promise> {
-    if !examined.holds {
+    if !examined.holds || examined.confidence() < LEAST_CONFIDENCE {
         return None;
     }
     let measured_error = bound(backing.iter().map(|sample| sample.errors[request.metric]), examined.examined)?;

@@ -229,7 +229,7 @@ fn the_calibration_keeps_to_its_time_and_says_what_it_left_out() {
     let refused = Truth { prepare_s: f64::INFINITY, ..Truth::new(0.1, 0.0) };
     let middling = Truth { prepare_s: 1.5, ..Truth::new(1.0, 0.1) };
     let truths = [slow, refused, Truth::new(2.0, 0.1), middling];
-    for seconds in [20.0, 5.0, 1.0] {
+    for seconds in [20.0, 5.0, 2.0] {
         let mut meter = Simulated { view_s: 0.05, ..Simulated::new(&truths) };
         let (found, _) = answer(&mut meter, &Request { seconds, ..request(0.2, None) });
         assert!(found.seconds <= seconds + 0.05, "{} of {seconds}", found.seconds);
@@ -251,10 +251,13 @@ fn the_calibration_keeps_to_its_time_and_says_what_it_left_out() {
     // Not even a view of the race.
     let (found, _) = answer(&mut Simulated::new(&[slow]), &request(0.2, None));
     assert!(found.measured.is_empty() && text(&found, "torus", None).contains("no method was measured"));
-    // Not even a view to examine: a choice without a promise.
-    let mut meter = Simulated { view_s: 6.0, ..Simulated::new(&[Truth::new(1.0, 0.1); 2]) };
-    let (found, check) = answer(&mut meter, &Request { seconds: 5.0, ..request(0.2, None) });
-    assert!(found.chosen.is_some_and(|chosen| chosen.promise.is_none()) && check.is_none());
+    // Few views to examine, or not even one: a choice without a promise.
+    for view_s in [0.5, 6.0] {
+        let mut meter = Simulated { view_s, ..Simulated::new(&[Truth::new(1.0, 0.1); 2]) };
+        let (found, check) = answer(&mut meter, &Request { seconds: 5.0, ..request(0.2, None) });
+        assert!(text(&found, "torus", None).contains("none, for lack of views"));
+        assert!(found.chosen.is_some_and(|chosen| chosen.promise.is_none()) && check.is_none());
+    }
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub fn text(found: &Recommendation, mesh: &str, check: Option<&Check>) -> String
             let is_exact = chosen.exact && found.request.goal == Goal::Loops;
             let note = if is_exact { ", which is exact: all silhouette edges and no others in every view" } else { "" };
             row(&mut text, "use", &format!("{}{note}", name(chosen)));
-            let none = || format!("none, for lack of time: {}", seen(chosen, found));
+            let none = || format!("none, for lack of views: {}; --seconds gives more", seen(chosen, found));
             row(&mut text, "promise", &chosen.promise.as_ref().map_or_else(none, |promise| promised(promise, found)));
             row(&mut text, "costs", &costs(chosen, found));
             row(&mut text, "builds", &builds(chosen));
@@ -97,7 +97,7 @@ fn builds(finding: &Finding) -> String {
 /// What was measured of something.
 fn seen(finding: &Finding, found: &Recommendation) -> String {
     let error = number(finding.worst_error, found.request.error().unit);
-    format!("error {error} and {} ms at most in {} views", rounded(finding.worst_ms), finding.views)
+    format!("error {error} and {} ms at most in {}", rounded(finding.worst_ms), views(finding.views))
 }
 
 fn nothing_fits(text: &mut String, found: &Recommendation) {
@@ -113,7 +113,7 @@ fn nothing_fits(text: &mut String, found: &Recommendation) {
             let what = "the fastest within the error in the views that it was chosen by";
             row(text, "time", &format!("{}: {what}: {}", name(fastest), seen(fastest, found)));
         }
-        None => row(text, "time", "no method keeps to the error, however slow"),
+        None => row(text, "time", "no method that was measured keeps to the error"),
     }
 }
 
@@ -127,11 +127,9 @@ fn better(text: &mut String, found: &Recommendation) {
     let unit = found.request.error().unit;
     let [less, more] = [better, choice].map(|finding| number(finding.worst_error, unit));
     let times = better.ms / choice.ms.max(f64::MIN_POSITIVE);
-    let (views, once) = (better.views, costs(better, found));
-    let line = format!(
-        "{}: error {less} in place of {more} for {times:.1} times the time, in {views} views; {once}",
-        name(better)
-    );
+    let (views, once) = (views(better.views), costs(better, found));
+    let line =
+        format!("{}: error {less} in place of {more} for {times:.1} times the time, in {views}; {once}", name(better));
     row(text, "one better", &line);
 }
 
@@ -182,6 +180,10 @@ fn checked(check: &Check, found: &Recommendation) -> String {
         rounded(*worst_ms),
         share(within_both)
     )
+}
+
+fn views(count: u32) -> String {
+    if count == 1 { "1 view".to_owned() } else { format!("{count} views") }
 }
 
 /// A value with its unit, where that is one.
