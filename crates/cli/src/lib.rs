@@ -25,6 +25,7 @@ mod methods;
 mod out_of_view;
 mod output;
 mod progress;
+mod recommend;
 mod render;
 mod reproduce;
 mod score;
@@ -79,6 +80,7 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::run(&arguments, registry),
         Command::Merge(arguments) => merge::run(&arguments, registry),
         Command::Score(arguments) => score::run(&arguments),
+        Command::Recommend(arguments) => recommend::run(&arguments, registry),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }
