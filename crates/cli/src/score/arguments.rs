@@ -1,7 +1,7 @@
 //! What `score` is asked for.
 
-use crate::args::ProfileArgument;
 use crate::camera::CameraArguments;
+use crate::compare::arguments::ProfileArgument;
 use crate::mesh_argument::MeshArgument;
 use crate::winding::OrientArgument;
 use clap::Args;

@@ -95,7 +95,7 @@ fn lined(text: serde_json::Result<Vec<u8>>) -> io::Result<Vec<u8>> {
 }
 
 fn csv_of(cell: &Cell) -> io::Result<Vec<u8>> {
-    let table = Table::of(std::slice::from_ref(cell));
+    let table = Table::of_views(std::slice::from_ref(cell));
     let is_counted: Vec<bool> = table.columns.iter().map(|column| COUNTED.contains(&column.as_str())).collect();
     let mut out = csv::Writer::from_writer(Vec::new());
     out.write_record(&table.columns)?;

@@ -20,6 +20,7 @@ use silhouette_core::view::{Projection, Viewpoint};
 use silhouette_core::{Camera, Progress, SilhouetteEdges, Topology, TriangleMesh};
 use silhouette_gpu::{Pen, PenPlacement};
 use silhouette_render::Image;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// By how much a camera that a file states may differ from that of its view: as a share of the distance to what it looks at, and
@@ -153,9 +154,12 @@ impl<'a> Scorer<'a> {
                 extract_ms: None,
                 counters: None,
             },
+            artefacts: Vec::new(),
             views,
+            intervals: BTreeMap::new(),
             coherence: Vec::new(),
         }
+        .with_intervals()
     }
 
     fn score_lines(&self, view: usize, lines: &[Polyline]) -> Scored {

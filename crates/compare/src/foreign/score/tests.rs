@@ -233,7 +233,7 @@ fn results_have_the_columns_of_a_comparison_and_leave_times_empty() {
         super::super::results::check_target(&target).unwrap();
         super::super::results::write(&target, &cell, &scores, &files, &cameras).unwrap();
     }
-    let compared = crate::record::flat::Table::of(std::slice::from_ref(&cell));
+    let compared = crate::record::flat::Table::of_views(std::slice::from_ref(&cell));
     let mut table = csv::Reader::from_path(target.join("results.csv")).unwrap();
     assert_eq!(table.headers().unwrap().iter().collect::<Vec<_>>(), compared.columns);
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
