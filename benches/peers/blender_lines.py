@@ -1,7 +1,9 @@
 """What the scripts for Blender share: camera, scene, timing, drawing, rows.
 
 The camera is that of `silhouettes`: by default the three-quarter view of `Camera::framing`, or the numbers given, which
-both programs then take alike. The mesh keeps the coordinates of its file. Needs the `bpy` package, Blender as a module.
+both programs then take alike. With --cameras nothing is timed: each view of a document by `silhouettes score --cameras` is
+drawn, and its lines are written for `silhouettes score --lines`. The mesh keeps the coordinates of its file. Needs the `bpy`
+package, Blender as a module.
 """
 
 import argparse
@@ -28,13 +30,21 @@ DEFAULT_SIZE = (1024, 1024)
 
 @dataclass
 class Camera:
-    """A perspective camera: `eye`, `target` and `up` in the mesh's coordinates, rounded to float32, held in float64."""
+    """A camera: `eye`, `target` and `up` in the mesh's coordinates, rounded to float32, held in float64. A perspective, or
+    where a `height` in units is given, a parallel projection."""
 
     eye: np.ndarray
     target: np.ndarray
     up: np.ndarray
     fov_deg: float
     size: tuple
+    height: float = None
+
+    @classmethod
+    def of_view(cls, view):
+        """The camera of a view of `silhouettes score --cameras`."""
+        eye, target, up = (as_float32(view[name]) for name in ("eye", "target", "up"))
+        return cls(eye, target, up, view.get("fov_y_deg"), tuple(view["size"]), view.get("ortho_height"))
 
     @classmethod
     def of(cls, arguments, center, radius):
@@ -60,6 +70,9 @@ class Camera:
     def project(self, points):
         """Pixels of points in front of the eye; y points down."""
         view = (points - self.eye) @ self.axes().T
+        if self.height is not None:
+            scale = self.size[1] / self.height
+            return np.array(self.size) * 0.5 + view[:, :2] * [scale, -scale]
         scale = self.size[1] * 0.5 / math.tan(math.radians(self.fov_deg) * 0.5)
         return np.array(self.size) * 0.5 + view[:, :2] * [scale, -scale] / -view[:, 2:]
 
@@ -88,7 +101,10 @@ def build_scene(positions, triangles, camera, center, radius):
 
     lens = bpy.data.cameras.new("camera")
     lens.sensor_fit = "VERTICAL"
-    lens.angle_y = math.radians(camera.fov_deg)
+    if camera.height is not None:
+        lens.type, lens.ortho_scale = "ORTHO", camera.height
+    else:
+        lens.angle_y = math.radians(camera.fov_deg)
     depth = float((camera.eye - center) @ camera.axes()[2])
     lens.clip_end = depth + 1.01 * radius
     lens.clip_start = max(depth - 1.01 * radius, lens.clip_end * MIN_NEAR_TO_FAR)
@@ -130,6 +146,9 @@ def run(tool, prepare, options=None):
     rows_out = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     arguments = parse(tool, options)
+    if arguments.cameras:
+        draw_views(tool, prepare, arguments)
+        return
     rows = []
     for path in arguments.meshes:
         rows += measure(tool, prepare, path, arguments)
@@ -139,6 +158,23 @@ def run(tool, prepare, options=None):
     else:
         with rows_out:
             rows_out.write(text)
+
+
+def draw_views(tool, prepare, arguments):
+    """Draws each view of a document by `silhouettes score --cameras`, and writes its lines for `silhouettes score --lines`."""
+    document = json.loads(arguments.cameras.read_text(encoding="utf-8"))
+    name, positions, triangles = load(arguments.meshes[0])
+    if (len(positions), len(triangles)) != (document["mesh"]["vertices"], document["mesh"]["triangles"]):
+        raise SystemExit(f"{name}: is not the mesh of {arguments.cameras}: vertices or triangles are more or fewer")
+    center, radius = sphere_of(positions, triangles)
+    for view in document["views"]:
+        camera = Camera.of_view(view)
+        scene, mesh_object = build_scene(positions, triangles, camera, center, radius)
+        visible = prepare(scene, mesh_object, camera, arguments)[0]
+        polylines = [np.round(stroke, 4).tolist() for stroke in visible.strokes()]
+        lines = {"method": tool, "version": bpy.app.version_string, "size": camera.size, "polylines": polylines}
+        path = Path(str(arguments.lines).replace("{frame}", str(view["frame"])))
+        path.write_text(json.dumps(lines) + "\n", encoding="utf-8")
 
 
 def parse(tool, options):
@@ -151,6 +187,8 @@ def parse(tool, options):
     parser.add_argument("--size", type=size, metavar="WxH", default=DEFAULT_SIZE, help="pixels (default: 1024x1024)")
     parser.add_argument("--runs", type=int, default=9, help="timed runs after a warm-up (default: 9)")
     parser.add_argument("-o", "--output", type=Path, help="JSON Lines file for the rows (default: standard output)")
+    parser.add_argument("--cameras", type=Path, metavar="FILE.json", help="views by silhouettes score --cameras, of one mesh")
+    parser.add_argument("--lines", type=Path, metavar="FILE.json", help="of --cameras, with {frame} in its name")
     parser.add_argument("--svg", type=Path, help="SVG file for the visible lines of the one mesh given")
     if options:
         options(parser)
@@ -164,6 +202,10 @@ def parse(tool, options):
         parser.error("--runs must be at least 1")
     if not 0.0 < arguments.fov < 180.0:
         parser.error("--fov must be above 0 and below 180")
+    if bool(arguments.cameras) != bool(arguments.lines and "{frame}" in str(arguments.lines)):
+        parser.error("--cameras needs --lines with {frame} in its name, and --lines needs --cameras")
+    if arguments.cameras and len(arguments.meshes) > 1:
+        parser.error("--cameras is for one mesh")
     if arguments.svg and len(arguments.meshes) > 1:
         parser.error("--svg is for one mesh")
     return arguments
@@ -183,12 +225,17 @@ def size(text):
     return width, height
 
 
+def sphere_of(positions, triangles):
+    """Middle of the box around the vertices that faces have, and the radius of the sphere around it that holds them."""
+    used = positions[np.unique(triangles)].astype(np.float64)
+    center = (used.min(axis=0) + used.max(axis=0)) * 0.5
+    return center, float(np.sqrt(((used - center) ** 2).sum(axis=1).max()))
+
+
 def measure(tool, prepare, path, arguments):
     """The rows of one mesh."""
     name, positions, triangles = load(path)
-    used = positions[np.unique(triangles)].astype(np.float64)
-    center = (used.min(axis=0) + used.max(axis=0)) * 0.5
-    radius = float(np.sqrt(((used - center) ** 2).sum(axis=1).max()))
+    center, radius = sphere_of(positions, triangles)
     camera = Camera.of(arguments, center, radius)
     scene, mesh_object = build_scene(positions, triangles, camera, center, radius)
     cells = prepare(scene, mesh_object, camera, arguments)

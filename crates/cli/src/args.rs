@@ -4,6 +4,8 @@ use crate::camera::CameraArguments;
 use crate::compare::arguments::{CompareArguments, ProfileArgument};
 use crate::lines::LinesArguments;
 use crate::mesh_argument::MeshArgument;
+use crate::recommend::{GoalArgument, RecommendArguments};
+use crate::score::{self, ScoreArguments};
 use crate::winding::OrientArgument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand};
@@ -131,6 +133,21 @@ pub enum Command {
         whichever process drew them; times of different machines stand in charts of their own. docs/sweeps has examples for GNU\n\
         parallel, HyperQueue and Slurm.")]
     Merge(MergeArguments),
+    /// Score what another program drew against the truth of a scene: edge lists, line SVG, pictures
+    #[command(after_help = score::HELP)]
+    Score(Box<ScoreArguments>),
+    /// Say which method to use on a mesh: the fastest within an error and a time, by measurements on it
+    #[command(after_help = "Examples:\n  \
+        silhouettes recommend bunny.obj\n  \
+        silhouettes recommend bunny.obj --goal lines --error missed_1px=0.02 --max-ms 16.6\n  \
+        silhouettes recommend coarse.obj --goal fill --size 1920x1080 --json\n  \
+        silhouettes recommend builtin:knot --goal loops --check 200\n\n\
+        Measured are views from all around, in at most 20 seconds: all methods in few of them, the best ones in as many as a promise\n\
+        takes. The promise, that 95 % of views keep to the error and the time, rests on counting views that were drawn after the\n\
+        choice; docs/METRICS.md defines it, --check tries it. Times are those of this machine as busy as it is. Measurements are kept\n\
+        in the user's cache (silhouettes/recommend in XDG_CACHE_HOME or ~/.cache), so that other limits are answered at once. Exit code\n\
+        0 also where no method keeps to the limits: the answer then says what comes closest.")]
+    Recommend(RecommendArguments),
     /// Measure what a paper printed, and set both side by side: tables, charts, a page that opens offline
     #[command(after_help = "Examples:\n  \
         silhouettes reproduce tracking stanford-bunny.obj -o out/tracking\n  \
@@ -153,7 +170,13 @@ impl Command {
         match self {
             Self::Doctor | Self::Render(_) | Self::Smooth(_) | Self::Compare(_) | Self::Reproduce(_) => true,
             Self::Lines(arguments) => arguments.quick,
-            Self::Methods(_) | Self::Inspect(_) | Self::Extract(_) | Self::Bake(_) | Self::Merge(_) => false,
+            Self::Recommend(arguments) => arguments.goal != GoalArgument::Loops,
+            Self::Methods(_)
+            | Self::Inspect(_)
+            | Self::Extract(_)
+            | Self::Bake(_)
+            | Self::Merge(_)
+            | Self::Score(_) => false,
         }
     }
 }

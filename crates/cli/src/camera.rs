@@ -174,7 +174,8 @@ fn preset(text: &str) -> Result<ViewPreset, String> {
     found.map(|&(_, preset)| preset).ok_or_else(|| format!("expected one of {}", known()))
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+/// A size in pixels, or the side of a square one.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once(['x', 'X']).unwrap_or((text, text));
     let sides = width.parse().ok().zip(height.parse().ok()).map(|(width, height)| [width, height]);
     sides.ok_or_else(|| "expected width and height such as 1024x768, or one side such as 800".to_owned())

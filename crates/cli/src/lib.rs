@@ -25,8 +25,10 @@ mod methods;
 mod out_of_view;
 mod output;
 mod progress;
+mod recommend;
 mod render;
 mod reproduce;
+mod score;
 mod smooth;
 mod spoken;
 mod winding;
@@ -77,6 +79,8 @@ fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments, registry),
         Command::Merge(arguments) => merge::run(&arguments, registry),
+        Command::Score(arguments) => score::run(&arguments),
+        Command::Recommend(arguments) => recommend::run(&arguments, registry),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }

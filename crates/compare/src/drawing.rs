@@ -1,5 +1,6 @@
 //! Frames of a prepared method, whatever it yields: edges are drawn as strokes, other methods draw themselves.
 
+pub mod afresh;
 mod timed;
 
 use crate::cost::{ExtractionSample, FrameSample};
@@ -75,6 +76,14 @@ pub enum Ground {
 }
 
 impl Ground {
+    /// What pictures of a kind are measured on.
+    pub fn measured(kind: PictureKind) -> Self {
+        match kind {
+            PictureKind::Lines => Self::Paper,
+            PictureKind::Fill => Self::Transparent,
+        }
+    }
+
     /// The colour that the target is cleared to.
     fn color(self) -> [f64; 4] {
         match self {
@@ -171,19 +180,36 @@ impl Drawing {
         Pen { width_px: self.style.pen_width_px, placement }
     }
 
+    /// Has a method that extracts edges see a frame that is not drawn, as what it keeps from frame to frame depends on it. Of a
+    /// method that draws by itself each frame stands for itself, and nothing is done.
+    ///
+    /// # Errors
+    /// [`DrawError`].
+    pub fn pass_by(&mut self, gpu: &Gpu, camera: &Camera) -> Result<(), DrawError> {
+        match &self.source {
+            Source::Edges(_) | Source::MovingEdges(_) => self.prepare(gpu, camera),
+            Source::Own { .. } => Ok(()),
+        }
+    }
+
+    fn prepare(&mut self, gpu: &Gpu, camera: &Camera) -> Result<(), DrawError> {
+        let Some(bounds) = self.mesh.bounds() else { return Err(DrawError::NoFaces) };
+        let renderer = self.source.renderer();
+        let range = renderer.clip_range(camera, camera.clip_range(&bounds));
+        let view = FrameView::from_camera(camera, range, DEFAULT_FORMATS.depth_direction)?;
+        Ok(renderer.prepare(gpu.device(), gpu.queue(), &view)?)
+    }
+
     /// Draws a frame in one submission and waits for it. The frame's time is that of preparing, encoding, submitting and
     /// waiting; nothing is read back meanwhile.
     ///
     /// # Errors
     /// [`DrawError`].
     pub fn draw(&mut self, gpu: &Gpu, camera: &Camera) -> Result<FrameSample, DrawError> {
-        let Some(bounds) = self.mesh.bounds() else { return Err(DrawError::NoFaces) };
         let start = Instant::now();
-        let renderer = self.source.renderer();
-        let range = renderer.clip_range(camera, camera.clip_range(&bounds));
-        let view = FrameView::from_camera(camera, range, DEFAULT_FORMATS.depth_direction)?;
-        renderer.prepare(gpu.device(), gpu.queue(), &view)?;
+        self.prepare(gpu, camera)?;
         let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
+        let renderer = self.source.renderer();
         let pass = gpu.draw_after(
             &self.target,
             Load::Clear(self.style.ground.color()),

@@ -13,7 +13,9 @@
 //!    [`sweep`]: the cells shared among processes and machines, and kept over interruptions.
 //! 7. [`pareto`]: which methods are worth their time. [`picture`]: where a picture and the truth differ.
 //! 8. [`scaling`]: how extraction times grow with the mesh, beside those of other tools.
-//! 9. [`report`]: files for people and programs.
+//! 9. [`recommend`]: which method to use on a mesh, within an error and a time, promised and checked.
+//! 10. [`report`]: files for people and programs.
+//! 11. [`foreign`]: what other programs drew, scored against the same truth.
 //!
 //! [`plot`]: what charts as SVG are made of.
 //! [`result_directory`]: how directories of results are written.
@@ -22,6 +24,7 @@ pub mod camera_path;
 pub mod coherence;
 pub mod cost;
 pub mod drawing;
+pub mod foreign;
 pub mod interval;
 pub mod machine;
 pub mod metrics;
@@ -29,6 +32,7 @@ pub mod options;
 pub mod pareto;
 pub mod picture;
 pub mod plot;
+pub mod recommend;
 pub mod record;
 pub mod registry;
 pub mod report;

@@ -40,6 +40,18 @@ pub struct AdapterRecord {
     pub timestamps: bool,
 }
 
+impl From<&AdapterDescription> for AdapterRecord {
+    fn from(adapter: &AdapterDescription) -> Self {
+        Self {
+            name: adapter.name.clone(),
+            driver: adapter.driver.clone(),
+            backend: adapter.backend.clone(),
+            software: adapter.software,
+            timestamps: adapter.timestamps,
+        }
+    }
+}
+
 impl RunDescription {
     /// This process on this machine, drawing with `adapter`.
     pub fn of_this_process(adapter: &AdapterDescription) -> Self {
@@ -52,13 +64,7 @@ impl RunDescription {
             cpu,
             threads,
             system,
-            adapter: AdapterRecord {
-                name: adapter.name.clone(),
-                driver: adapter.driver.clone(),
-                backend: adapter.backend.clone(),
-                software: adapter.software,
-                timestamps: adapter.timestamps,
-            },
+            adapter: adapter.into(),
         }
     }
 

@@ -76,7 +76,7 @@ impl Method for Randomized {
         guide: MethodGuide {
             origin: "Markosian et al. 1997",
             yields: "most edges, whole loops",
-            accuracy: "no: its recall is measured, 0.90 to 0.99 over a turn in the table below",
+            accuracy: "no: its recall is measured, 0.90 to 0.99 over a turn, by mesh",
             cost: "O(probes + S)",
             memory: "3 bytes per edge beyond topology",
             choose_when: "missing some small loops is a fair price for not looking at every face, and there is no \

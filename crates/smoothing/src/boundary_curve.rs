@@ -79,7 +79,7 @@ impl Method for BoundaryCurve {
         guide: MethodGuide {
             origin: "B. Wang et al. 2003, read from its description",
             yields: "curves; a filled image",
-            accuracy: "no: error 0.062, hardly less than that of the mesh",
+            accuracy: "no: a sphere of 80 faces is off by 0.062 radii, hardly less than the mesh",
             cost: "O(F + E), one thread; O(F) bytes to upload",
             memory: "38 to 49 bytes per face",
             choose_when: "you compare smoothing with what came before it",

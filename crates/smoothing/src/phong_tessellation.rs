@@ -65,7 +65,7 @@ impl Method for PhongTessellation {
         guide: MethodGuide {
             origin: "Boubekeur and Alexa 2008",
             yields: "a filled image, the same surface in every view",
-            accuracy: "no: error 0.022 with 1280 triangles",
+            accuracy: "no: a sphere of 80 faces is off by 0.022 radii, with 1280 triangles",
             cost: "as `pn-triangles`",
             memory: "as `pn-triangles`",
             choose_when: "as `pn-triangles`, where the simplest evaluation counts more than the shape",

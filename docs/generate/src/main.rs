@@ -1,5 +1,7 @@
 //! Makes the generated parts of the documentation.
 
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "what was written, and what went wrong, is the output")]
+
 use clap::Parser;
 use silhouette_docs::{Made, make, pictures, write};
 use std::path::Path;

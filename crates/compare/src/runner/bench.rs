@@ -8,8 +8,8 @@ use super::frame_source::{FrameSource, Output};
 use super::subject::Subject;
 use super::truths::{Scored, Truths};
 use crate::cost::{FrameCost, PrepareCost};
+use crate::drawing::afresh::Afresh;
 use crate::drawing::{DrawError, Drawing, FrameStyle, Ground};
-use crate::metrics::PictureKind;
 use crate::options::OptionSettings;
 use crate::record::{ArtefactRecord, CameraRecord, Cell, PenRecord, View};
 use crate::scene::{MethodChoice, Scene};
@@ -21,8 +21,6 @@ use silhouette_core::view::Camera;
 use silhouette_gpu::PenPlacement;
 use silhouette_render::Gpu;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-use std::time::Instant;
 
 /// A mesh with its truth, on which cells are run one after another.
 pub(crate) struct Bench<'a> {
@@ -85,26 +83,19 @@ impl<'a> Bench<'a> {
 
     /// Prepares a method for a mesh that nothing was derived from, so that its time and its artefacts hold everything it needs.
     fn prepare(&self, choice: &MethodChoice) -> Result<(Drawing, PrepareCost, Vec<ArtefactRecord>), DrawError> {
-        let fresh = Arc::new(self.subject.mesh.mesh.fresh());
-        let start = Instant::now();
-        let prepared = choice.entry.prepare(&fresh, &choice.options, self.progress)?;
-        let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
-        let built = fresh.report();
-        let bytes = prepared.bytes() + built.iter().map(|artefact| artefact.bytes).sum::<usize>();
-        let record = |built: &ArtefactReport| ArtefactRecord { name: built.name.to_owned(), bytes: built.bytes as u64 };
-        let artefacts = built.iter().map(record).collect();
-
         let Scene { picture, pen, .. } = self.scene;
-        let ground = match choice.picture {
-            PictureKind::Lines => Ground::Paper,
-            PictureKind::Fill => Ground::Transparent,
+        let style = FrameStyle {
+            size: picture.size(),
+            pen_width_px: pen.width_px,
+            samples: picture.samples,
+            ground: Ground::measured(choice.picture),
         };
-        let (size, samples) = (picture.size(), picture.samples);
-        let style = FrameStyle { size, pen_width_px: pen.width_px, samples, ground };
-        let start = Instant::now();
-        let drawing = Drawing::new(self.gpu, &fresh, prepared, choice.picture, style)?;
-        let renderer_ms = start.elapsed().as_secs_f64() * 1000.0;
-        Ok((drawing, PrepareCost { prepare_ms, renderer_ms, bytes: bytes as u64 }, artefacts))
+        let method = (&choice.entry, &choice.options);
+        let mesh = &self.subject.mesh.mesh;
+        let Afresh { drawing, cost, artefacts, .. } =
+            Afresh::prepare(self.gpu, mesh, method, choice.picture, style, self.progress)?;
+        let record = |built: &ArtefactReport| ArtefactRecord { name: built.name.to_owned(), bytes: built.bytes as u64 };
+        Ok((drawing, cost, artefacts.iter().map(record).collect()))
     }
 
     /// Follows the path with whatever draws the frames, and scores what was kept.

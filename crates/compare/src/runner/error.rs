@@ -68,7 +68,7 @@ pub enum CompareError {
 
 impl CompareError {
     /// Names the mesh; a cancellation stays one, however deep it happened.
-    pub(super) fn truth(mesh: &str, cause: TruthError) -> Self {
+    pub(crate) fn truth(mesh: &str, cause: TruthError) -> Self {
         match cause {
             TruthError::Prepare(PrepareError::Cancelled(cancelled))
             | TruthError::Lines(LineError::Cancelled(cancelled)) => Self::Cancelled(cancelled),

@@ -85,14 +85,7 @@ impl<'a> Truths<'a> {
     /// [`CompareError::FillTruth`], [`CompareError::Cancelled`].
     pub fn prepare(&mut self, output: Output, gpu: &Gpu, progress: &dyn Progress) -> Result<(), CompareError> {
         match output {
-            Output::Lines(pen) if !self.pens.contains_key(&pen.placement) => {
-                let mut drawn = Vec::with_capacity(self.views.len());
-                for view in &self.views {
-                    progress.check()?;
-                    drawn.push(view.draw(pen));
-                }
-                self.pens.insert(pen.placement, drawn);
-            }
+            Output::Lines(pen) => self.prepare_pen(pen, progress)?,
             Output::Fill if self.fills.is_empty() => {
                 let failed = |cause| CompareError::FillTruth { mesh: self.mesh.name.clone(), cause };
                 let fine = self.subject.truth.as_ref().unwrap_or(self.subject.mesh.mesh.mesh());
@@ -104,9 +97,27 @@ impl<'a> Truths<'a> {
                 }
                 self.fills = drawn;
             }
-            Output::Lines(_) | Output::Fill => {}
+            Output::Fill => {}
         }
         Ok(())
+    }
+
+    /// Draws what pictures of lines are measured against, unless it is there.
+    pub(crate) fn prepare_pen(&mut self, pen: Pen, progress: &dyn Progress) -> Result<(), CompareError> {
+        if !self.pens.contains_key(&pen.placement) {
+            let mut drawn = Vec::with_capacity(self.views.len());
+            for view in &self.views {
+                progress.check()?;
+                drawn.push(view.draw(pen));
+            }
+            self.pens.insert(pen.placement, drawn);
+        }
+        Ok(())
+    }
+
+    /// The truth of a view, and what finds more lines of it.
+    pub(crate) fn view_and_finder(&mut self, view: usize) -> (&Truth, &mut TruthFinder) {
+        (&self.views[view], &mut self.finder)
     }
 
     /// The truth of a view as results state it for pictures of this kind.
@@ -134,7 +145,7 @@ impl<'a> Truths<'a> {
     /// If it was not.
     pub fn score(&self, view: usize, output: Output, picture: &Image) -> Scored {
         match output {
-            Output::Lines(pen) => self.score_lines(view, pen, picture),
+            Output::Lines(pen) => self.score_ink(view, pen, &Ink::from_picture(picture), picture.clone()),
             Output::Fill => {
                 let (drawn, truth) = (FilledPicture::new(picture.clone()), &self.fills[view]);
                 let difference = difference(drawn.coverage(), truth.coverage());
@@ -144,18 +155,22 @@ impl<'a> Truths<'a> {
         }
     }
 
-    fn score_lines(&self, view: usize, pen: Pen, picture: &Image) -> Scored {
-        let (drawn, truth) = (Ink::from_picture(picture), &self.pens[&pen.placement][view]);
+    /// Scores lines that are shown as `picture`, for a pen that was [prepared](Self::prepare_pen).
+    ///
+    /// # Panics
+    /// If it was not.
+    pub(crate) fn score_ink(&self, view: usize, pen: Pen, drawn: &Ink, picture: Image) -> Scored {
+        let truth = &self.pens[&pen.placement][view];
         let true_pen = TruePen { picture: truth, width_px: pen.width_px };
         let Truth { camera, lines, .. } = &self.views[view];
-        let metrics = PictureMetrics::Lines(measure(&drawn, lines, true_pen));
+        let metrics = PictureMetrics::Lines(measure(drawn, lines, true_pen));
         let rays = self.rays.get_or_init(|| RayCaster::new(self.subject.mesh.mesh.mesh()));
         let seen = |place| {
             let (origin, direction) = sight_ray(camera, place);
             let hit = rays.first(origin, direction.as_vec3(), f64::INFINITY)?;
             Some(self.finder.seen(camera).of_face(hit.face, hit.is_exit))
         };
-        let errors = Some(line_errors(&drawn, lines, true_pen, &self.facts[view], seen));
-        Scored { metrics, errors, pictures: [picture.clone(), truth.to_picture(), difference(&drawn, truth)] }
+        let errors = Some(line_errors(drawn, lines, true_pen, &self.facts[view], seen));
+        Scored { metrics, errors, pictures: [picture, truth.to_picture(), difference(drawn, truth)] }
     }
 }

@@ -103,7 +103,8 @@ fn nameless(scene: &Scene) -> Value {
     value
 }
 
-fn contents(mesh: &TriangleMesh, feature_edges: &[[VertexId; 2]]) -> [u64; 3] {
+/// Number of vertices, of faces, and a checksum of both and of the feature edges. O(V + F).
+pub(crate) fn contents(mesh: &TriangleMesh, feature_edges: &[[VertexId; 2]]) -> [u64; 3] {
     let mut hasher = crc32fast::Hasher::new();
     for position in mesh.positions() {
         position.to_array().iter().for_each(|value| hasher.update(&value.to_le_bytes()));

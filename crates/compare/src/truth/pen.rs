@@ -27,12 +27,35 @@ pub const ARC_PX: f64 = 1e-4;
 /// Rows that are drawn at a time: enough that few pieces reach into two bands, few enough that all threads have work.
 const BAND_ROWS: u32 = 32;
 
-/// Draws lines in a picture of `size` pixels. O(pixels + n log n) for n pieces.
-pub fn draw(lines: &[VisibleLine], pen: Pen, size: [u32; 2]) -> Ink {
+/// Where a pen goes without being lifted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PenPath<'a> {
+    /// Its points in pixels.
+    pub points: &'a [DVec2],
+    /// Whether the last point is joined to the first.
+    pub closed: bool,
+}
+
+impl<'a> From<&'a VisibleLine> for PenPath<'a> {
+    fn from(line: &'a VisibleLine) -> Self {
+        Self { points: &line.points, closed: line.closed }
+    }
+}
+
+impl PenPath<'_> {
+    fn segments(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+        let count = if self.closed { self.points.len() } else { self.points.len().saturating_sub(1) };
+        (0..count).map(|at| [at, (at + 1) % self.points.len()].map(|at| self.points[at]))
+    }
+}
+
+/// Draws paths in a picture of `size` pixels. No point may lie farther outside of it than the pen is wide and a pixel.
+/// O(pixels + n log n) for n pieces.
+pub fn draw<'a, P: Into<PenPath<'a>>>(paths: impl IntoIterator<Item = P>, pen: Pen, size: [u32; 2]) -> Ink {
     let [width, height] = size;
     let mut outline = PenOutline::new(pen, size);
-    for line in lines {
-        outline.add(line);
+    for path in paths {
+        outline.add(&path.into());
     }
     let mut bands: Vec<Vec<u32>> = vec![Vec::new(); height.div_ceil(BAND_ROWS) as usize];
     for (piece, &[low, high]) in (0..).zip(&outline.rows) {
@@ -75,10 +98,10 @@ impl PenOutline {
         Self { pen, span: pen.span_px(), scale, points: Vec::new(), ends: Vec::new(), rows: Vec::new() }
     }
 
-    fn add(&mut self, line: &VisibleLine) {
+    fn add(&mut self, path: &PenPath<'_>) {
         // Segments without direction have no side; their neighbours are joined.
         let segments: Vec<[DVec2; 2]> =
-            line.segments().map(|(_, ends)| ends).filter(|[from, to]| (to - from).try_normalize().is_some()).collect();
+            path.segments().filter(|[from, to]| (to - from).try_normalize().is_some()).collect();
         let direction = |[from, to]: [DVec2; 2]| (to - from).normalize();
         for &segment in &segments {
             self.add_rectangle(segment, left_of(direction(segment)));
@@ -88,7 +111,7 @@ impl PenOutline {
         }
         if let [first, .., last] | [first @ last] = segments[..] {
             let (first_direction, last_direction) = (direction(first), direction(last));
-            if line.closed {
+            if path.closed {
                 self.add_turn(first[0], last_direction, first_direction);
             } else if self.pen.placement == PenPlacement::Centred {
                 self.add_turn(first[0], -first_direction, first_direction);
@@ -209,7 +232,7 @@ mod tests {
         let mut rows = CoverageRows::new(40, 0, 40);
         for _ in 0..2 {
             let mut outline = PenOutline::new(pen(PenPlacement::Centred), SIZE);
-            outline.add(&across);
+            outline.add(&PenPath::from(&across));
             outline.unite(&[0, 1, 2], &mut rows);
         }
         let sum: f64 = rows.into_shares().into_iter().map(f64::from).sum();

@@ -122,26 +122,32 @@ impl ViewFacts {
 }
 
 /// Points along a segment at most [`NEAR_SPACING_PX`] apart, as far as it lies within the picture and `margin_px` around it.
-fn spread([from, to]: [DVec2; 2], size: [u32; 2], margin_px: f64, points: &mut Vec<DVec2>) {
+fn spread(ends: [DVec2; 2], size: [u32; 2], margin_px: f64, points: &mut Vec<DVec2>) {
+    if let Some([begin, end]) = part_within(ends, size, margin_px) {
+        let [from, to] = ends;
+        let count = ((end - begin) * from.distance(to) / NEAR_SPACING_PX).ceil().max(1.0);
+        let share = |part: u32| begin + (end - begin) * (f64::from(part) + 0.5) / count;
+        points.extend((0..count as u32).map(|part| from.lerp(to, share(part))));
+    }
+}
+
+/// Between which shares of its length a segment lies within the picture and `margin_px` around it, if anywhere.
+pub(crate) fn part_within([from, to]: [DVec2; 2], size: [u32; 2], margin_px: f64) -> Option<[f64; 2]> {
     let (low, high) = (DVec2::splat(-margin_px), DVec2::from(size.map(f64::from)) + margin_px);
-    // Where the segment is within the frame: the common part of what each axis allows.
+    // The common part of what each axis allows.
     let (mut begin, mut end) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
         let along = to[axis] - from[axis];
         let [one, other] = [low[axis], high[axis]].map(|bound| (bound - from[axis]) / along);
         if along == 0.0 {
             if !(low[axis]..=high[axis]).contains(&from[axis]) {
-                return;
+                return None;
             }
         } else {
             (begin, end) = (begin.max(one.min(other)), end.min(one.max(other)));
         }
     }
-    if begin < end {
-        let count = ((end - begin) * from.distance(to) / NEAR_SPACING_PX).ceil().max(1.0);
-        let share = |part: u32| begin + (end - begin) * (f64::from(part) + 0.5) / count;
-        points.extend((0..count as u32).map(|part| from.lerp(to, share(part))));
-    }
+    (begin < end).then_some([begin, end])
 }
 
 #[cfg(test)]

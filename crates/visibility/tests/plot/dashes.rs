@@ -51,7 +51,7 @@ fn covered(layer: &Layer, (begin, down): Side) -> Vec<[f64; 2]> {
         let [from, to] = [segment.from, segment.to].map(|point| point - begin);
         let beside = [from, to].iter().all(|point| way.perp_dot(*point).abs() < 1e-6);
         let [from, to] = [from, to].map(|point| way.dot(point).clamp(0.0, GRID));
-        (beside && from != to).then_some([from.min(to), from.max(to)])
+        (beside && (from < to || to < from)).then_some([from.min(to), from.max(to)])
     });
     let mut parts: Vec<_> = parts.collect();
     parts.sort_by(|one, other| one[0].total_cmp(&other[0]));
