@@ -32,7 +32,9 @@ pub fn text(found: &Recommendation, mesh: &str, check: Option<&Check>) -> String
         );
     }
     not_measured(&mut text, &found.not_measured);
-    row(&mut text, "measured", &measured(found));
+    if !found.measured.is_empty() {
+        row(&mut text, "measured", &measured(found));
+    }
     if let Some(check) = check {
         row(&mut text, "check", &checked(check, found));
     }
