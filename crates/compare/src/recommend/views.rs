@@ -168,7 +168,7 @@ mod tests {
         let all = [Purpose::Choice, Purpose::Promise, Purpose::Check].map(|purpose| views(purpose, 300));
         let mut seen: Vec<_> = all.into_iter().flatten().map(|view| view.direction().to_array()).collect();
         seen.sort_by(|one, other| one.partial_cmp(other).unwrap());
-        assert!(seen.windows(2).all(|pair| pair[0] != pair[1]));
+        assert!(seen.windows(2).all(|pair| pair[0].map(f64::to_bits) != pair[1].map(f64::to_bits)));
     }
 
     #[test]
