@@ -125,6 +125,9 @@ pub fn run(arguments: &RecommendArguments, registry: &Registry) -> Result<(), Fa
         }
     };
     let (recommendation, check) = answered?;
+    if arguments.check.is_some() && check.is_none() {
+        failure::note("--check: there is no promise to check");
+    }
     if let Some(cache) = cache.filter(|_| recommendation.views_measured > 0)
         && let Err(error) = cache.store(&key, &notebook)
     {

@@ -56,6 +56,14 @@ impl From<CompareError> for Fault {
 
 /// Measures candidates, which it knows by their number.
 pub trait Meter {
+    /// Prepares what does not depend on a candidate, such as the truth, so that its time is not taken from the first one.
+    ///
+    /// # Errors
+    /// [`Fault`], as for [`prepare`](Self::prepare).
+    fn set_up(&mut self, _until_s: f64) -> Result<(), Fault> {
+        Ok(())
+    }
+
     /// Prepares a candidate, the one whose views are measured next.
     ///
     /// # Errors

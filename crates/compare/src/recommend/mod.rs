@@ -114,6 +114,8 @@ pub fn recommend<M: Meter>(
     candidates: &[Candidate],
 ) -> Result<Recommendation, CompareError> {
     measurer.ask(request);
+    // Where the truth alone takes all of the time, the race finds none left and says so.
+    measurer.set_up(request.seconds)?;
     let changed: Vec<bool> = candidates.iter().map(|candidate| candidate.changed.is_some()).collect();
     let standings = race::race(measurer, request, &changed)?;
     let choice = choice::choose(measurer, request, &standings)?;

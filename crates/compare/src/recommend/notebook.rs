@@ -107,6 +107,20 @@ impl<'a, M: Meter> Measurer<'a, M> {
         }
     }
 
+    /// Sets the meter up, as far as there is time, unless nothing is going to be measured.
+    ///
+    /// # Errors
+    /// Nothing can be measured.
+    pub(super) fn set_up(&mut self, until_s: f64) -> Result<(), CompareError> {
+        if self.is_closed {
+            return Ok(());
+        }
+        match self.meter.set_up(until_s) {
+            Ok(()) | Err(Fault::OutOfTime | Fault::Refused(_)) => Ok(()),
+            Err(Fault::Failed(error)) => Err(error),
+        }
+    }
+
     /// The page of a candidate.
     pub fn page(&self, candidate: usize) -> &Page {
         &self.notebook.pages[candidate]

@@ -70,6 +70,14 @@ fn fault(error: DrawError, until: &Until<'_>) -> Fault {
 }
 
 impl Meter for PictureMeter<'_> {
+    fn set_up(&mut self, until_s: f64) -> Result<(), Fault> {
+        let until = Until::new(self.progress, self.start, until_s);
+        let failed = |cause| CompareError::View { mesh: self.mesh.name.clone(), cause };
+        let view = ViewId { purpose: Purpose::Choice, index: 0 };
+        let cameras = view.cameras(0, &self.setting, self.truths.bounds()).map_err(failed)?;
+        self.truths.set_up(self.kind, (view, &cameras[0]), &until)
+    }
+
     fn prepare(&mut self, candidate: usize, until_s: f64) -> Result<Preparation, Fault> {
         self.drawing = None;
         let until = Until::new(self.progress, self.start, until_s);

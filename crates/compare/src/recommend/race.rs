@@ -17,10 +17,10 @@ use crate::runner::CompareError;
 /// Views that a candidate is measured in unless it is dropped.
 pub const VIEWS: u32 = 4;
 
-/// Share of the calibration's time after which no other method is tried.
+/// Share of the race's and the examinations' time after which no other method is tried.
 const METHODS_END: f64 = 0.5;
 
-/// Share of the calibration's time after which no other option is tried.
+/// Share of that time after which no other option is tried.
 const SWEEPS_END: f64 = 0.35;
 
 /// Share of the calibration's time that one preparation may take at first: half a second of 20.
@@ -73,7 +73,8 @@ pub fn race<M: Meter>(
     request: &Request,
     changed: &[bool],
 ) -> Result<Vec<Standing>, CompareError> {
-    let mut race = Race { measurer, request, standings: vec![None; changed.len()] };
+    let start_s = measurer.elapsed_s();
+    let mut race = Race { measurer, request, start_s, standings: vec![None; changed.len()] };
     let [mut defaults, mut sweeps] = [false, true]
         .map(|of_sweep| (0..changed.len()).filter(|&candidate| changed[candidate] == of_sweep).collect::<Vec<_>>());
     for &candidate in &defaults {
@@ -104,6 +105,8 @@ pub fn race<M: Meter>(
 struct Race<'a, 'b, M> {
     measurer: &'a mut Measurer<'b, M>,
     request: &'a Request,
+    /// When it began.
+    start_s: f64,
     /// By candidate; `None` where it was not measured.
     standings: Vec<Option<Standing>>,
 }
@@ -111,7 +114,7 @@ struct Race<'a, 'b, M> {
 impl<M: Meter> Race<'_, '_, M> {
     /// Measures a candidate until it has so many views or is dropped. What was measured before counts whenever it was.
     fn enter(&mut self, candidate: usize, views: u32, preparation: f64, share: f64) -> Result<(), CompareError> {
-        let until_s = self.request.seconds * share;
+        let until_s = self.start_s + (self.request.seconds - self.start_s) * share;
         let prepare_until_s = self.measurer.elapsed_s() + self.request.seconds * preparation;
         for index in 0..views {
             let view = ViewId { purpose: Purpose::Choice, index };

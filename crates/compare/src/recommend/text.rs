@@ -22,13 +22,7 @@ pub fn text(found: &Recommendation, mesh: &str, check: Option<&Check>) -> String
         }
         None => nothing_fits(&mut text, found),
     }
-    if let Some(other) = &found.runner_up {
-        let standing = match &other.promise {
-            Some(promise) => format!("promised as well, by {} views", promise.views),
-            None => format!("not promised: {}", seen(other, found)),
-        };
-        row(&mut text, "runner-up", &format!("{}, {}; {standing}", name(other), costs(other, found)));
-    }
+    runner_up(&mut text, found);
     better(&mut text, found);
     for failed in &found.failed {
         row(
@@ -38,7 +32,9 @@ pub fn text(found: &Recommendation, mesh: &str, check: Option<&Check>) -> String
         );
     }
     not_measured(&mut text, &found.not_measured);
-    row(&mut text, "measured", &measured(found));
+    if !found.measured.is_empty() {
+        row(&mut text, "measured", &measured(found));
+    }
     if let Some(check) = check {
         row(&mut text, "check", &checked(check, found));
     }
@@ -82,8 +78,12 @@ fn promised(promise: &Promise, found: &Recommendation) -> String {
 }
 
 fn costs(finding: &Finding, found: &Recommendation) -> String {
-    let once = finding.preparation.as_ref().map_or(0.0, |made| made.cost.prepare_ms + made.cost.renderer_ms);
-    format!("{} ms per {} (median), {} ms once", rounded(finding.ms), found.unit_of_work(), rounded(once))
+    format!("{} ms per {} (median), {} ms once", rounded(finding.ms), found.unit_of_work(), rounded(once_ms(finding)))
+}
+
+/// Milliseconds until it can draw.
+fn once_ms(finding: &Finding) -> f64 {
+    finding.preparation.as_ref().map_or(0.0, |made| made.cost.prepare_ms + made.cost.renderer_ms)
 }
 
 fn builds(finding: &Finding) -> String {
@@ -115,6 +115,20 @@ fn nothing_fits(text: &mut String, found: &Recommendation) {
         }
         None => row(text, "time", "no method that was measured keeps to the error"),
     }
+}
+
+/// The runner-up, its time beside that of the choice in the views that both were chosen by: what is measured later is measured on a
+/// machine that may be busier.
+fn runner_up(text: &mut String, found: &Recommendation) {
+    let Some((other, chosen)) = found.runner_up.as_ref().zip(found.chosen.as_ref()) else { return };
+    let in_race = |finding: &Finding| found.measured.iter().find(|raced| raced.candidate == finding.candidate);
+    let times = in_race(other).zip(in_race(chosen)).map_or(f64::NAN, |(other, chosen)| other.ms / chosen.ms);
+    let standing = match &other.promise {
+        Some(promise) => format!("promised as well, by {}", views(promise.views)),
+        None => format!("not promised: {}", seen(other, found)),
+    };
+    let once = rounded(once_ms(other));
+    row(text, "runner-up", &format!("{}, {times:.2} times the time, {once} ms once; {standing}", name(other)));
 }
 
 fn better(text: &mut String, found: &Recommendation) {

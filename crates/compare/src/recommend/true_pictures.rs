@@ -2,7 +2,7 @@
 
 use super::meter::{Fault, Until};
 use super::views::{Setting, ViewId};
-use crate::metrics::{FilledPicture, Ink, PictureMetrics, TruePen, measure, measure_fill};
+use crate::metrics::{FilledPicture, Ink, PictureKind, PictureMetrics, TruePen, measure, measure_fill};
 use crate::runner::{CompareError, NamedMesh};
 use crate::scene::limits::MAX_SCORED_PIXELS;
 use crate::truth::fill::FillTruth;
@@ -54,6 +54,19 @@ impl<'a> TruePictures<'a> {
         &self.bounds
     }
 
+    /// Finds the truth of a view of one kind, and with it what the truth of all views takes.
+    pub fn set_up(
+        &mut self,
+        kind: PictureKind,
+        (view, camera): (ViewId, &Camera),
+        until: &Until<'_>,
+    ) -> Result<(), Fault> {
+        match kind {
+            PictureKind::Lines => self.lines_of(view, camera, until).map(drop),
+            PictureKind::Fill => self.fill_of(view, camera).map(drop),
+        }
+    }
+
     /// Scores a picture of a view: lines drawn with a pen, or without one a filled picture.
     pub fn score(
         &mut self,
@@ -75,14 +88,7 @@ impl<'a> TruePictures<'a> {
         picture: &Image,
         until: &Until<'_>,
     ) -> Result<PictureMetrics, Fault> {
-        if !self.lines.contains_key(&view) {
-            let found = self.find_lines(camera, until)?;
-            if self.lines.len() >= self.most_views {
-                self.lines.clear();
-            }
-            self.lines.insert(view, found);
-        }
-        let Some(truth) = self.lines.get_mut(&view) else { unreachable!("it was inserted") };
+        let truth = self.lines_of(view, camera, until)?;
         if truth.pens.iter().all(|(placement, _)| *placement != pen.placement) {
             truth.pens.push((pen.placement, pen::draw(&truth.visible, pen, camera.size())));
         }
@@ -91,6 +97,18 @@ impl<'a> TruePictures<'a> {
         };
         let true_pen = TruePen { picture: drawn, width_px: pen.width_px };
         Ok(PictureMetrics::Lines(measure(&Ink::from_picture(picture), &truth.lines, true_pen)))
+    }
+
+    fn lines_of(&mut self, view: ViewId, camera: &Camera, until: &Until<'_>) -> Result<&mut TrueView, Fault> {
+        if !self.lines.contains_key(&view) {
+            let found = self.find_lines(camera, until)?;
+            if self.lines.len() >= self.most_views {
+                self.lines.clear();
+            }
+            self.lines.insert(view, found);
+        }
+        let Some(truth) = self.lines.get_mut(&view) else { unreachable!("it was inserted") };
+        Ok(truth)
     }
 
     fn find_lines(&mut self, camera: &Camera, until: &Until<'_>) -> Result<TrueView, Fault> {
@@ -109,6 +127,11 @@ impl<'a> TruePictures<'a> {
     }
 
     fn score_fill(&mut self, (view, camera): (ViewId, &Camera), picture: Image) -> Result<PictureMetrics, Fault> {
+        let truth = self.fill_of(view, camera)?;
+        Ok(PictureMetrics::Fill(measure_fill(&FilledPicture::new(picture), truth)))
+    }
+
+    fn fill_of(&mut self, view: ViewId, camera: &Camera) -> Result<&FilledPicture, Fault> {
         if !self.fills.contains_key(&view) {
             let failed = |cause| CompareError::FillTruth { mesh: self.mesh.name.clone(), cause };
             let filler = match &mut self.filler {
@@ -121,6 +144,6 @@ impl<'a> TruePictures<'a> {
             }
             self.fills.insert(view, found);
         }
-        Ok(PictureMetrics::Fill(measure_fill(&FilledPicture::new(picture), &self.fills[&view])))
+        Ok(&self.fills[&view])
     }
 }
