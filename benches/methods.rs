@@ -1,14 +1,15 @@
 //! Every method under criterion, in a group per crate: its preparation, its extraction along an orbit, its frames.
 //!
 //! `cargo bench --bench methods` on a built-in mesh of a few thousand faces, `-- tracking` behind it one crate, `-- frame` one kind of
-//! work. Frames are left out where there is no adapter. What a method extracts is checked before it is timed, and a frame must leave
-//! a picture. The group `metrics` scores pictures as `silhouettes compare` does.
+//! work. Frames are left out where there is no adapter. What exact methods extract is checked before it is timed, and a
+//! frame must leave a picture. The group `metrics` scores pictures as `silhouettes compare` does.
 
 use criterion::{BatchSize, BenchmarkGroup, Criterion, criterion_group, criterion_main, measurement::WallTime};
 use silhouette_compare::drawing::{Drawing, FrameStyle, Ground, pictures_of};
 use silhouette_compare::metrics::distance_transform::distance_transform;
 use silhouette_compare::metrics::{FilledPicture, Ink, PictureKind, measure_fill};
 use silhouette_compare::registry::{Entry, Registry};
+use silhouette_core::method::OptionValues;
 use silhouette_core::view::{Camera, Framing};
 use silhouette_core::{FaceFacings, NoProgress, PreparedMesh, SilhouetteEdges, Topology, TriangleMesh};
 use silhouette_render::Gpu;
@@ -70,10 +71,17 @@ fn methods(criterion: &mut Criterion) {
     }
 }
 
-/// All that happens once per mesh, with options that keep bakes small.
+/// Default options; of methods that bake, those of a small bake.
+fn options(entry: &Entry) -> OptionValues {
+    let info = entry.info();
+    let bakes = info.needs.contains(&"silhouette-textures");
+    if bakes { cheap_options(info.options) } else { OptionValues::defaults(info.options) }
+}
+
+/// All that happens once per mesh.
 fn preparation(group: &mut BenchmarkGroup<'_, WallTime>, entry: &Entry) {
     let mesh = builtin(MESH);
-    let options = cheap_options(entry.info().options);
+    let options = options(entry);
     group.bench_function(format!("{}/prepare", entry.info().name), |bencher| {
         let fresh = || Arc::new(PreparedMesh::new(mesh.clone()));
         bencher.iter_batched(
@@ -86,7 +94,7 @@ fn preparation(group: &mut BenchmarkGroup<'_, WallTime>, entry: &Entry) {
 
 fn extraction(group: &mut BenchmarkGroup<'_, WallTime>, entry: &Entry) {
     let mesh = Arc::new(PreparedMesh::new(builtin(MESH)));
-    let options = cheap_options(entry.info().options);
+    let options = options(entry);
     let mut prepared = entry.prepare(&mesh, &options, &NoProgress).expect("the mesh is closed");
     let cameras = orbit(mesh.mesh());
     let Some(method) = prepared.edges() else { return };
@@ -105,7 +113,7 @@ fn extraction(group: &mut BenchmarkGroup<'_, WallTime>, entry: &Entry) {
 
 fn frames(group: &mut BenchmarkGroup<'_, WallTime>, entry: &Entry, gpu: &Gpu) {
     let style = FrameStyle { size: SIZE, pen_width_px: 2.0, samples: 1, ground: Ground::Paper };
-    let options = cheap_options(entry.info().options);
+    let options = options(entry);
     for kind in pictures_of(entry.capabilities()) {
         let mesh = Arc::new(PreparedMesh::new(builtin(MESH)));
         let prepared = entry.prepare(&mesh, &options, &NoProgress).expect("the mesh is closed");
@@ -113,7 +121,10 @@ fn frames(group: &mut BenchmarkGroup<'_, WallTime>, entry: &Entry, gpu: &Gpu) {
         let cameras = orbit(mesh.mesh());
         drawing.draw(gpu, &cameras[0]).expect("the view is plain");
         let picture = drawing.picture(gpu).expect("the picture is there");
-        assert!(Ink::from_picture(&picture).ink_pixels().next().is_some(), "{} is blank", entry.info().name);
+        // An extractor that may miss loops may miss the only one of a view.
+        let may_be_blank = entry.capabilities().edges && !entry.info().exact;
+        let has_ink = Ink::from_picture(&picture).ink_pixels().next().is_some();
+        assert!(has_ink || may_be_blank, "{} is blank", entry.info().name);
         let mut next = cameras.iter().cycle();
         let name = if kind == PictureKind::Fill { "fill" } else { "lines" };
         group.bench_function(format!("{}/frame of {name}", entry.info().name), |bencher| {
