@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub struct Spread {
     /// Middle value; of an even number of values the mean of the two middle ones.
     pub median: f64,
-    /// Ends of the 95 % [interval](crate::interval) of the median.
+    /// Ends of the 95 % [interval] of the median.
     pub interval: [f64; 2],
     /// 95th percentile, by nearest rank.
     pub p95: f64,

@@ -39,7 +39,7 @@ pub struct Cell {
     pub frame: FrameCost,
     /// Its scored frames in the order of the path: at least one.
     pub views: Vec<View>,
-    /// Ends of the 95 % [interval](crate::interval) of the mean over the views, for each metric by its name.
+    /// Ends of the 95 % [interval] of the mean over the views, for each metric by its name.
     #[serde(default)]
     pub intervals: BTreeMap<String, [f64; 2]>,
     /// Coherence along the scene's motions; none where the scene asks for none.

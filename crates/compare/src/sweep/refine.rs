@@ -1,6 +1,6 @@
-//! [`refine`]: measures more values of swept options, where the front of time and error is coarse, as long as time remains.
+//! [`Refinement::refine`]: measures more values of swept options, where the front of time and error is coarse, as long as time remains.
 //!
-//! Which value is next follows from what was measured ([`gap`](super::gap)). Each that is measured becomes a cell of the scene: a
+//! Which value is next follows from what was measured ([`gap`]). Each that is measured becomes a cell of the scene: a
 //! comparison of the refined scene measures the same cells without refining. Every value is measured on all meshes, since a front of
 //! one mesh is of little use beside one of others with other values.
 
