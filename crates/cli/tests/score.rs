@@ -328,6 +328,12 @@ fn files_beyond_all_measure_are_refused() {
     big.set_len(1 << 40).unwrap();
     let line = folder.refused(&["score", "--scene", &folder.scene(), "--lines", "big.svg", "--frame", "4"]);
     assert!(line.contains("big.svg: longer than 67108864 bytes"), "{line}");
+    // Noise whose lines cross each other millions of times.
+    let point = |at: u32| format!("[{},{}]", at * 7919 % 200, at * 104_729 % 160);
+    let noise: Vec<String> = (0..9000).map(point).collect();
+    folder.file("noise.json", format!("{{\"polylines\":[[{}]]}}", noise.join(",")));
+    let line = folder.refused(&["score", "--scene", &folder.scene(), "--lines", "noise.json", "--frame", "4"]);
+    assert!(line.contains("noise.json: its lines cross each other too often"), "{line}");
 }
 
 /// Two squares side by side whose common vertices are there twice: a seam to this program, one edge to those that join vertices.

@@ -34,6 +34,11 @@ pub enum ForeignFault {
         /// Most points that are kept.
         limit: usize,
     },
+    /// Its lines cross each other too often to be inked.
+    #[error(
+        "its lines cross each other too often to be drawn exactly; leave out what is hidden, or give a picture (.png)"
+    )]
+    TooCrowded,
     /// Its name ends in nothing that is read.
     #[error("unknown form; lines are read from .json and .svg, pictures from .png")]
     UnknownEnding,

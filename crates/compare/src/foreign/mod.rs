@@ -4,10 +4,12 @@
 //! 2. [`file`](mod@file): what a file holds, by its ending. [`edge_list`]: JSON of pairs of vertices, of polylines, and as the commands
 //!    `extract` and `lines` write it; [`svg`]: strokes; [`picture`]: PNG. [`trace`]: all lines as polylines within the picture.
 //! 3. [`visible_edges`]: the visible parts of edges that are named by their vertices.
-//! 4. [`score`]: lines drawn with the scene's pen, a picture as it is, and both measured as `compare` measures methods.
-//! 5. [`results`]: the files that this yields, in the columns of a comparison.
+//! 4. [`crowding`]: drawings that cannot be inked in seconds are refused.
+//! 5. [`score`]: lines drawn with the scene's pen, a picture as it is, and both measured as `compare` measures methods.
+//! 6. [`results`]: the files that this yields, in the columns of a comparison.
 
 pub mod cameras;
+pub mod crowding;
 pub mod edge_list;
 pub mod error;
 pub mod file;

@@ -1,10 +1,11 @@
 //! [`Scorer`]: what another program drew, measured as `compare` measures methods.
 
 use super::Drawing;
+use super::crowding;
 use super::edge_list::{ClaimedCamera, ClaimedProjection, ClaimedViewpoint, Claims};
 use super::error::ForeignFault;
 use super::file::ForeignFile;
-use super::trace::Polyline;
+use super::trace::{Frame, Polyline};
 use super::views::ScoredView;
 use super::visible_edges::{found_edges, visible_parts};
 use crate::cost::{FrameCost, PrepareCost, Spread};
@@ -108,13 +109,13 @@ impl<'a> Scorer<'a> {
             }
             Drawing::Lines(lines) => {
                 self.require(view, lines.is_empty(), |truth| truth.visible.is_empty())?;
-                (self.score_lines(view, &lines), None)
+                (self.score_lines(view, &lines)?, None)
             }
             Drawing::Edges(pairs) => {
                 let found = found_edges(&pairs, &self.topology, self.mesh.vertex_count(), self.name)?;
                 self.require(view, found.is_empty(), |truth| truth.edges.is_empty())?;
                 let lines = self.visible(view, &found, progress)?;
-                (self.score_lines(view, &lines), Some(self.truths.score_edges(view, &found)))
+                (self.score_lines(view, &lines)?, Some(self.truths.score_edges(view, &found)))
             }
         };
         let ScoredView { frame, camera } = self.views[view];
@@ -162,10 +163,12 @@ impl<'a> Scorer<'a> {
         .with_intervals()
     }
 
-    fn score_lines(&self, view: usize, lines: &[Polyline]) -> Scored {
-        let ink = pen::draw(lines, self.pen, self.views[view].camera.size());
+    fn score_lines(&self, view: usize, lines: &[Polyline]) -> Result<Scored, ForeignFault> {
+        let size = self.views[view].camera.size();
+        crowding::check(lines, Frame { size, pen_width_px: self.pen.width_px })?;
+        let ink = pen::draw(lines, self.pen, size);
         let picture = ink.to_picture();
-        self.truths.score_ink(view, self.pen, &ink, picture)
+        Ok(self.truths.score_ink(view, self.pen, &ink, picture))
     }
 
     fn visible(

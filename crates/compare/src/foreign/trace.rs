@@ -11,8 +11,8 @@ use glam::DVec2;
 /// Farthest that a chord strays from its curve, in pixels: a tenth of what a picture of this size can show.
 pub const CHORD_PX: f64 = 0.01;
 
-/// Most points that are kept of a file, after curves became chords: some 64 MiB.
-pub const MAX_POINTS: usize = 4_000_000;
+/// Most points that are kept of a file, after curves became chords: some 32 MiB.
+pub const MAX_POINTS: usize = 2_000_000;
 
 /// Halvings of a curve: enough for one that is a million pixels long.
 const MAX_HALVINGS: u32 = 20;

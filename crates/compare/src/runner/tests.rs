@@ -63,6 +63,10 @@ fn brute_force_scores_as_the_truth_that_it_is() {
     let cell = comparison.cells.iter().find(|cell| cell.method == registry::BASELINE).unwrap();
     assert_eq!((cell.views.len(), cell.frame.frames), (3, 12));
     assert!(cell.frame.frame_ms.median > cell.frame.extract_ms.unwrap().median);
+    let names: Vec<&str> = cell.artefacts.iter().map(|artefact| artefact.name.as_str()).collect();
+    assert_eq!(names, registry.find(registry::BASELINE).unwrap().info().needs);
+    let built: u64 = cell.artefacts.iter().map(|artefact| artefact.bytes).sum();
+    assert!((1..=cell.prepare.bytes).contains(&built), "{built}");
     for view in &cell.views {
         let edges = view.edges.unwrap();
         assert!(edges.precision >= 1.0 && edges.recall >= 1.0 && edges.found == view.truth.silhouette_edges);
@@ -187,6 +191,50 @@ fn a_source_that_fills_is_measured_against_the_filled_truth() {
         assert!(metrics.xor_share > 0.02 && metrics.psnr_db < same_metrics.psnr_db - 10.0, "{metrics:?}");
         assert!((0.5..3.0).contains(&metrics.boundary_chamfer_px), "{metrics:?}");
         assert!(same.truth.area_px.is_some_and(|area| area > 1000.0) && same.edges.is_none());
+    }
+}
+
+/// A renderer that slips by three pixels in one frame only.
+struct Slipping {
+    fine: Fine,
+    drawn: usize,
+    slips_at: usize,
+}
+
+impl FrameSource for Slipping {
+    fn output(&self) -> Output {
+        self.fine.output()
+    }
+
+    fn draw(&mut self, gpu: &Gpu, camera: &Camera) -> Result<FrameSample, DrawError> {
+        self.fine.shift_px = if self.drawn == self.slips_at { 3 } else { 0 };
+        self.drawn += 1;
+        self.fine.draw(gpu, camera)
+    }
+
+    fn picture(&self, gpu: &Gpu) -> Result<Image, DrawError> {
+        self.fine.picture(gpu)
+    }
+
+    fn edges(&self) -> Option<&SilhouetteEdges> {
+        None
+    }
+}
+
+#[test]
+fn the_pictures_kept_are_of_the_worst_view() {
+    let Some(gpu) = gpu_or_skip("the_pictures_kept_are_of_the_worst_view") else { return };
+    let (scene, torus) = (small(&["brute-force"]), subject("torus", "torus"));
+    let mut bench = Bench::new(&scene, &torus, gpu, &NoProgress).unwrap();
+    let scored = scene.path.scored_frames();
+    for (at, &frame) in scored.iter().enumerate() {
+        let renderer = FillTruth::new(gpu, torus.mesh.mesh.mesh()).unwrap();
+        let fine = Fine { renderer, shift_px: 0, picture: None };
+        let mut source = Slipping { fine, drawn: 0, slips_at: (scene.path.warm_up + frame) as usize };
+        let cost = PrepareCost { prepare_ms: 0.0, renderer_ms: 0.0, bytes: 0 };
+        let (cell, pictures) = bench.score_source(&mut source, "slipping", OptionSettings::default(), cost).unwrap();
+        assert_eq!((cell.worst_view(), pictures.frame), (Some(at), frame));
+        assert_ne!(pictures.drawn, pictures.truth, "frame {frame}");
     }
 }
 

@@ -134,7 +134,7 @@ impl PenOutline {
         if radius <= 0.0 || angle == 0.0 {
             return;
         }
-        let chords = (angle.abs() / chord_angle(radius)).ceil();
+        let chords = arc_chords(angle.abs(), radius);
         let arc = (0..=chords as u32)
             .map(move |step| corner + DVec2::from_angle(angle * f64::from(step) / chords).rotate(outward * radius));
         if angle > 0.0 {
@@ -177,9 +177,10 @@ fn left_of(direction: DVec2) -> DVec2 {
     DVec2::new(direction.y, -direction.x)
 }
 
-/// The largest angle whose chord strays by at most [`ARC_PX`] from an arc.
-fn chord_angle(radius: f64) -> f64 {
-    2.0 * (1.0 - ARC_PX / radius).clamp(-1.0, 1.0).acos().min(0.25 * PI)
+/// The number of equal chords of an arc, each of which strays by at most [`ARC_PX`] from it.
+pub(crate) fn arc_chords(angle_rad: f64, radius_px: f64) -> f64 {
+    let chord_angle = 2.0 * (1.0 - ARC_PX / radius_px).clamp(-1.0, 1.0).acos().min(0.25 * PI);
+    (angle_rad / chord_angle).ceil()
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Line drawings as SVG: every stroke is a line, whatever its width and, unless it is white, its colour.
 //!
-//! 1. [`page`]: where the document's own coordinates lie in the picture.
-//! 2. [`style`]: what is drawn and stroked, by attributes, `style` and style sheets.
-//! 3. [`shape`]: lines, polylines, polygons, paths, rectangles, circles and ellipses, under their transforms.
+//! 1. `page`: where the document's own coordinates lie in the picture.
+//! 2. `style`: what is drawn and stroked, by attributes, `style` and style sheets.
+//! 3. `shape`: lines, polylines, polygons, paths, rectangles, circles and ellipses, under their transforms.
 //!
 //! Read are `svg`, `g`, `a`, `switch` and these shapes. Fills, text and pictures are no lines. `use` and nested `svg` are refused rather
 //! than skipped, since lines would be missing. So are entities: they grow without bound.
