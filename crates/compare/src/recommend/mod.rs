@@ -1,12 +1,12 @@
 //! Which method to use: the fastest that keeps to an error and a time on *this* mesh, by measurements on it.
 //!
 //! 1. [`goal`]: lines, fill or loops, and which error is limited. [`Request`]: the limits and the time that finding out may take.
-//! 2. [`candidates`]: every method that can do it, with its defaults and with each swept option.
+//! 2. [`candidates`](mod@candidates): every method that can do it, with its defaults and with each swept option.
 //! 3. [`views`]: directions drawn independently, each led up to by a few frames.
 //! 4. [`race`]: all candidates in few views; those that cannot win are dropped.
 //! 5. [`promise`]: how sure one can be after how many views.
 //! 6. [`choice`]: the fastest candidates examined in more views until one holds, the runner-up, one step better, or what comes closest.
-//! 7. [`check`]: the promise against views that nothing has seen.
+//! 7. [`check`](mod@check): the promise against views that nothing has seen.
 //!
 //! [`meter`]: what measures; [`notebook`]: what was measured; [`cache`]: the notebook between runs; [`text`]: the answer for people.
 //!
