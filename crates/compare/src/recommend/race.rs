@@ -5,7 +5,7 @@
 //! 3. Options at the values of their sweeps, those of fast methods first, until the race's share of the time is spent.
 //! 4. Methods whose preparation was broken off, with more time for it.
 //!
-//! A candidate is dropped by another that errs no more and is at least `MARGIN` times as fast, or where it misses a limit by that
+//! A candidate is dropped by another that errs no more and is at least twice as fast, or where it misses a limit by that
 //! factor while another keeps to both: single frames vary by less, on a machine that is not overloaded.
 
 use super::Request;

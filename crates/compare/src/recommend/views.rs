@@ -74,7 +74,7 @@ impl From<&Scene> for Setting {
 }
 
 /// Frames of the run-up that a method is measured after: none where it extracts no edges, as each of its frames stands for itself; one
-/// where it is exact, so that its time is that of a frame among others; `LOSSY_RUN_UP` elsewhere.
+/// where it is exact, so that its time is that of a frame among others; 30 elsewhere.
 pub fn run_up(entry: &Entry) -> u32 {
     match (entry.capabilities().edges, entry.info().exact) {
         (false, _) => 0,
