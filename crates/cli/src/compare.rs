@@ -16,9 +16,10 @@ use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject
 use silhouette_compare::scaling::{ExtractionRow, read_rows};
 use silhouette_compare::scene::{MeshSpec, Scene};
 use silhouette_compare::sweep::{Budget, CellStore, Errors, Key, Refinement, Shard, ShardError, merge, run_shard};
-use silhouette_compare::{Profile, Registry, report};
+use silhouette_compare::{Comparison, Profile, Registry, report};
 use silhouette_core::Progress;
 use silhouette_render::{AdapterChoice, Gpu};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -58,7 +59,12 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
             let budget = Budget { time, errors: errors(arguments.error) };
             let added = refinement.refine(&store, &mut comparison, &budget).map_err(of_shard)?;
             failure::note(match added {
-                0 => "no value was added within the budget".to_owned(),
+                0 if !is_swept(&comparison) => {
+                    "--budget: no option has several values; name one with --sweep".to_owned()
+                }
+                0 => {
+                    "no value was added: the fronts are fine enough, or the budget is too small for one more".to_owned()
+                }
                 1 => "1 value was added within the budget".to_owned(),
                 added => format!("{added} values were added within the budget"),
             });
@@ -75,6 +81,13 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
     comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
     store.remove().map_err(Failure::run)
+}
+
+/// Whether some method is there with several settings.
+fn is_swept(comparison: &Comparison) -> bool {
+    let methods: BTreeSet<_> = comparison.cells.iter().map(|cell| &cell.method).collect();
+    let settings: BTreeSet<_> = comparison.cells.iter().map(|cell| (&cell.method, cell.options.to_string())).collect();
+    settings.len() > methods.len()
 }
 
 /// The errors of the fronts: the one named for its kind of picture, and the usual one for the other.
@@ -103,6 +116,10 @@ fn shard(arguments: &CompareArguments) -> Result<Option<Shard>, Failure> {
     let shard = Shard::of_slurm(|name| std::env::var(name).ok());
     let shard = shard.map_err(|error| Failure::Input(format!("--shard: {error}; give one")))?;
     if let Some(shard) = shard {
+        if arguments.budget.is_some() || !arguments.peers.is_empty() {
+            let line = "a Slurm job array measures shards, with which --budget and --peers do not go; leave them out";
+            return Err(Failure::Input(line.to_owned()));
+        }
         let output = arguments.output.display();
         failure::note(format!(
             "shard {shard} of a Slurm job array: {output} will hold cells; silhouettes merge makes the report"

@@ -80,7 +80,8 @@ fn in_full(entry: &Entry) -> String {
     let headings = ["option", "default", "what it sets"];
     let mut rows = vec![headings.map(str::to_owned)];
     for option in info.options {
-        let sets = format!("{}; {}", option.summary.trim_end_matches('.'), option.expected());
+        let swept = option.sweep.map(|sweep| format!("; swept over {sweep}")).unwrap_or_default();
+        let sets = format!("{}; {}{swept}", option.summary.trim_end_matches('.'), option.expected());
         rows.push([option.name.to_owned(), option.default_value().to_string(), sets]);
     }
     if rows.len() > 1 {

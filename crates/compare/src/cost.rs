@@ -19,13 +19,18 @@ pub struct Spread {
 impl Spread {
     /// Spread of some values in the order of their measurement, in their unit; `None` of no value. O(n log n), a thousand times.
     pub fn of(values: &[f64]) -> Option<Self> {
-        let mut sorted = values.to_vec();
+        Self::of_passes(&[values.to_vec()])
+    }
+
+    /// The same of all values of several passes over one path.
+    pub fn of_passes(passes: &[Vec<f64>]) -> Option<Self> {
+        let mut sorted = passes.concat();
         sorted.sort_by(f64::total_cmp);
         let count = sorted.len();
         let rank = (count as f64 * 0.95).ceil() as usize;
         let max = *sorted.last()?;
         let median = (sorted[(count - 1) / 2] + sorted[count / 2]) * 0.5;
-        let interval = interval::of_median(values)?;
+        let interval = interval::of_median(passes)?;
         Some(Self { median, interval, p95: sorted[rank.clamp(1, count) - 1], max })
     }
 }
@@ -95,16 +100,18 @@ pub struct ExtractionSample {
 impl FrameCost {
     /// Summary of all frames of all passes over a path but the first `warm_up` of each; `None` where no frame remains.
     pub fn of(passes: &[Vec<FrameSample>], warm_up: u32) -> Option<Self> {
-        let measured = passes.iter().filter_map(|frames| frames.get(warm_up as usize..)).flatten();
-        let measured: Vec<FrameSample> = measured.copied().collect();
-        let collect = |value: fn(&FrameSample) -> Option<f64>| measured.iter().filter_map(value).collect::<Vec<_>>();
-        let extract_ms = collect(|frame| frame.extraction.map(|extraction| extraction.extract_ms));
+        let passes: Vec<&[FrameSample]> = passes.iter().filter_map(|frames| frames.get(warm_up as usize..)).collect();
+        let measured = passes.concat();
+        let spread = |value: fn(&FrameSample) -> Option<f64>| {
+            let of_pass = |frames: &&[FrameSample]| frames.iter().filter_map(value).collect();
+            Spread::of_passes(&passes.iter().map(of_pass).collect::<Vec<_>>())
+        };
         Some(Self {
             frames: u32::try_from(measured.len()).unwrap_or(u32::MAX),
             warm_up,
-            frame_ms: Spread::of(&collect(|frame| Some(frame.frame_ms)))?,
-            gpu_ms: Spread::of(&collect(|frame| frame.gpu_ms)),
-            extract_ms: Spread::of(&extract_ms),
+            frame_ms: spread(|frame| Some(frame.frame_ms))?,
+            gpu_ms: spread(|frame| frame.gpu_ms),
+            extract_ms: spread(|frame| frame.extraction.map(|extraction| extraction.extract_ms)),
             counters: mean_counters(&measured),
         })
     }

@@ -5,7 +5,7 @@
 //! 1. the [truth](truths) of every scored frame, once for all methods;
 //! 2. for each method with its options, on a mesh that nothing was derived from yet: preparation, timed;
 //! 3. the [path followed](follow): warm-up frames, then timed frames; what a scored frame shows is kept right after it was
-//!    drawn;
+//!    drawn. Further passes, where the scene asks for them, are of times alone, and of all methods in turn;
 //! 4. [motions](crate::coherence) followed for coherence, where the scene asks for them, outside of the clock;
 //! 5. pictures kept against the truth of their cameras, edges found against edges to be found.
 
@@ -20,6 +20,7 @@ pub mod subject;
 pub mod truths;
 
 pub use crate::scene::model::DEFAULT_PEN_WIDTH_PX;
+use bench::Begun;
 pub(crate) use bench::Bench;
 pub use comparison::{Comparison, LeftOut, Outcome, PictureSet};
 pub use error::CompareError;
@@ -101,8 +102,23 @@ pub(crate) fn run_cells<E: From<CompareError>>(
             continue;
         }
         let mut bench = Bench::new(&config.scene, subject, gpu, progress)?;
+        let mut begun = Vec::new();
         for method in due {
-            keep(at * methods + method, bench.run_cell(&config.methods[method])?)?;
+            let cell = at * methods + method;
+            match bench.begin(&config.methods[method])? {
+                Begun::LeftOut(left_out) => keep(cell, Outcome::LeftOut(left_out))?,
+                Begun::Cell(once) if config.scene.path.passes == 1 => keep(cell, bench.finish(*once))?,
+                Begun::Cell(once) => begun.push((cell, once)),
+            }
+        }
+        // Further passes of all cells in turn, so that those of one lie apart and whatever slows the machine for a while slows all alike.
+        for _ in 1..config.scene.path.passes {
+            for (_, begun) in &mut begun {
+                bench.follow_again(begun)?;
+            }
+        }
+        for (cell, begun) in begun {
+            keep(cell, bench.finish(*begun))?;
         }
     }
     Ok(())

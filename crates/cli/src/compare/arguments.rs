@@ -58,7 +58,8 @@ pub struct CompareArguments {
     /// for fills]
     #[arg(long, value_name = "METRIC", requires = "budget", value_parser = error_metric)]
     pub error: Option<&'static MetricSpec>,
-    /// How often the camera's path is followed, for times of moments that lie apart [default: that of the scene, or once]
+    /// How often the camera's path is followed, all methods in turn, for times of moments that lie apart [default: that of the
+    /// scene, or once]
     #[arg(long, value_name = "N")]
     pub passes: Option<u32>,
     /// The axis that the camera's path is around, and that points up [default: that of the scene]

@@ -5,6 +5,7 @@ use crate::compare::arguments::ProfileArgument;
 use crate::mesh_argument::MeshArgument;
 use crate::winding::OrientArgument;
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 use std::path::PathBuf;
 
 /// Examples and forms, for `--help`.
@@ -43,7 +44,7 @@ pub struct ScoreArguments {
     #[arg(long, conflicts_with_all = ["lines", "frame", "name"])]
     pub cameras: bool,
     /// What results call the other program [default: the name of the first file without its ending]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
     pub name: Option<String>,
     /// Width of the pen that lines are drawn with, in pixels [default: that of the scene, or 2]
     #[arg(long, value_name = "PX", value_parser = width)]

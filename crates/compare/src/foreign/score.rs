@@ -108,6 +108,9 @@ impl<'a> Scorer<'a> {
                 (self.truths.score_ink(view, self.pen, &Ink::from_picture(&picture), picture), None)
             }
             Drawing::Lines(lines) => {
+                // A pen that is set down and lifted leaves no ink.
+                let has_length = |line: &Polyline| line.points.windows(2).any(|ends| ends[0] != ends[1]);
+                let lines: Vec<Polyline> = lines.into_iter().filter(has_length).collect();
                 self.require(view, lines.is_empty(), |truth| truth.visible.is_empty())?;
                 (self.score_lines(view, &lines)?, None)
             }

@@ -2,7 +2,7 @@
 
 use super::meter::Meter;
 use super::notebook::Measurer;
-use super::promise::SHARE;
+use super::promise::{CONFIDENCE, SHARE, doubt};
 use super::recommendation::{Finding, Recommendation};
 use super::views::{Purpose, ViewId};
 use crate::runner::CompareError;
@@ -32,6 +32,13 @@ impl Check {
     /// Whether at least [`SHARE`] of the views kept to both.
     pub fn is_kept(&self) -> bool {
         f64::from(self.within_both) >= SHARE * f64::from(self.views)
+    }
+
+    /// Whether so many views exceed it that this would happen to a promise which [`SHARE`] of all views keep in at most one check of
+    /// twenty: fewer views than that share asks for are not enough, where few were looked at.
+    pub fn is_refuted(&self) -> bool {
+        let over = self.views - self.within_both;
+        over > 0 && 1.0 - doubt(self.views, over - 1) <= 1.0 - CONFIDENCE
     }
 }
 

@@ -10,7 +10,7 @@
 use super::Request;
 use super::meter::{Meter, Sample};
 use super::notebook::Measurer;
-use super::promise::{allowed, confidence};
+use super::promise::allowed;
 use super::race::Standing;
 use super::views::{Purpose, ViewId};
 use crate::runner::CompareError;
@@ -41,13 +41,6 @@ pub struct Examined {
     pub examined: u32,
     /// Whether it may be promised.
     pub holds: bool,
-}
-
-impl Examined {
-    /// [`confidence`] in the promise.
-    pub fn confidence(&self) -> f64 {
-        confidence(self.views, self.over, self.examined)
-    }
 }
 
 /// Numbers of the candidates that matter.

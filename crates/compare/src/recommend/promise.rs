@@ -6,8 +6,11 @@
 //! times are distributed. For `k = 0` the largest of `n` values bounds the quantile with confidence `1 - SHARE^n`: Wilks,
 //! "Determination of Sample Sizes for Setting Tolerance Limits", Annals of Mathematical Statistics, 1941; 59 views for 95 %.
 //!
-//! Several candidates may be examined until one keeps to the limits; each could do so by luck. The doubts of all that were examined
-//! add up (Bonferroni).
+//! Several candidates may be examined until one keeps to the limits; each could do so by luck. The m-th may exceed them only so often
+//! that its doubt is at most a share `1 / m` of what the aim leaves, and the doubts of all that were examined add up (Bonferroni): the
+//! confidence stated for the second is below the aim, however well it did.
+
+use super::choice::VIEWS;
 
 /// Share of all views that keep to the limits.
 pub const SHARE: f64 = 0.95;
@@ -35,24 +38,39 @@ pub fn doubt(views: u32, over: u32) -> f64 {
     sum.min(1.0)
 }
 
-/// Confidence in a promise that `over` of `views` views exceeded, after `examined` candidates, itself included: 0 to 1. O(over).
+/// Confidence in a promise that `over` of `views` views exceeded, after `examined` candidates, itself included: 0 to 1. Those before it
+/// could have been promised by luck in as many as [`VIEWS`] views. O(over + examined).
 pub fn confidence(views: u32, over: u32, examined: u32) -> f64 {
-    (1.0 - f64::from(examined) * doubt(views, over)).max(0.0)
+    let by_luck = |earlier: u32| allowed(VIEWS, earlier).map_or(0.0, |over| doubt(VIEWS, over));
+    (1.0 - doubt(views, over) - (1..examined).map(by_luck).sum::<f64>()).max(0.0)
 }
 
-/// How many of `views` views may at most exceed the limits, for [`CONFIDENCE`] after `examined` candidates; `None` where there are too
-/// few views for any. O(result²).
+/// How many of `views` views may at most exceed the limits, for the candidate that is the `examined`-th; `None` where there are too few
+/// views for any. O(result²).
 pub fn allowed(views: u32, examined: u32) -> Option<u32> {
-    (0..views).take_while(|&over| confidence(views, over, examined) >= CONFIDENCE).last()
+    let most = (1.0 - CONFIDENCE) / f64::from(examined.max(1));
+    (0..views).take_while(|&over| doubt(views, over) <= most).last()
+}
+
+/// How many of `views` views may exceed a promise whose time is found out from the same views: as many as are [`allowed`], or as do
+/// exceed its error.
+pub fn rank(views: u32, over: u32, examined: u32) -> u32 {
+    allowed(views, examined).unwrap_or(0).max(over)
+}
+
+/// The value that all but `rank` of some views keep to; `None` where there are no more. O(n log n).
+pub fn exceeded_by(values: impl IntoIterator<Item = f64>, rank: u32) -> Option<f64> {
+    let mut sorted: Vec<f64> = values.into_iter().collect();
+    sorted.sort_by(|one, other| other.total_cmp(one));
+    sorted.get(rank as usize).copied()
 }
 
 /// The value that [`SHARE`] of all views keep to with [`CONFIDENCE`], from some independent ones: the largest, or a lower one where
 /// there are more than enough. Of too few, the largest; `None` of none. O(n log n).
 pub fn bound(values: impl IntoIterator<Item = f64>, examined: u32) -> Option<f64> {
-    let mut sorted: Vec<f64> = values.into_iter().collect();
-    sorted.sort_by(|one, other| other.total_cmp(one));
-    let views = u32::try_from(sorted.len()).unwrap_or(u32::MAX);
-    sorted.get(allowed(views, examined).unwrap_or(0) as usize).copied()
+    let values: Vec<f64> = values.into_iter().collect();
+    let views = u32::try_from(values.len()).unwrap_or(u32::MAX);
+    exceeded_by(values, rank(views, 0, examined))
 }
 
 #[cfg(test)]
@@ -82,6 +100,16 @@ mod tests {
         }
         assert_eq!([doubt(0, 0), doubt(3, 3)].map(f64::to_bits), [1.0_f64; 2].map(f64::to_bits));
         assert!(doubt(1_000_000, 10) < 1e-300, "no view is lost to underflow");
+    }
+
+    #[test]
+    fn the_doubts_of_all_that_were_examined_add_up() {
+        let alone = confidence(VIEWS, 0, 1);
+        assert!((alone - (1.0 - 0.95_f64.powi(124))).abs() < 1e-12);
+        assert!((confidence(VIEWS, 0, 2) - (alone - doubt(VIEWS, 2))).abs() < 1e-12, "the first could exceed twice");
+        let spent: f64 = (1..=10).map(|m| doubt(VIEWS, allowed(VIEWS, m).unwrap())).sum();
+        assert!((1.0 - spent - confidence(VIEWS, allowed(VIEWS, 10).unwrap(), 10)).abs() < 1e-12);
+        assert!(confidence(VIEWS, 0, 1000) >= 0.0);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::candidates::Candidate;
 use super::choice::{Choice, Examined};
 use super::meter::{Meter, Preparation, Sample};
 use super::notebook::{Measurer, Page};
-use super::promise::{LEAST_CONFIDENCE, bound};
+use super::promise::{LEAST_CONFIDENCE, bound, confidence, exceeded_by, rank};
 use super::race::Standing;
 use super::views::Purpose;
 use serde::Serialize;
@@ -82,7 +82,7 @@ pub struct Promise {
     pub ms: f64,
     /// Number of views that back it, none of which the choice had seen.
     pub views: u32,
-    /// How many of them exceeded it.
+    /// How many of them exceeded it; where the time is found out from them, how many may.
     pub over: u32,
     /// Confidence, 0 to 1.
     pub confidence: f64,
@@ -183,20 +183,23 @@ fn finding(page: &Page, candidate: usize, of: &Candidate, request: &Request, see
 
 /// What an examination that holds lets promise.
 fn promise(backing: &[Sample], request: &Request, examined: &Examined) -> Option<Promise> {
-    if !examined.holds || examined.confidence() < LEAST_CONFIDENCE {
+    let within = |sample: &&Sample| sample.errors[request.metric] <= request.limit.max;
+    // A time that the same views show is exceeded by as many of them as it leaves out: they count.
+    let (over, ms) = match request.max_ms {
+        Some(ms) => (examined.over, ms),
+        None => {
+            let over = rank(examined.views, examined.over, examined.examined);
+            let left_out = backing.iter().filter(|sample| !within(sample)).count() as u32;
+            (over, exceeded_by(backing.iter().filter(within).map(|sample| sample.ms), over.saturating_sub(left_out))?)
+        }
+    };
+    let confidence = confidence(examined.views, over, examined.examined);
+    if !examined.holds || confidence < LEAST_CONFIDENCE {
         return None;
     }
     let measured_error = bound(backing.iter().map(|sample| sample.errors[request.metric]), examined.examined)?;
     let measured_ms = bound(backing.iter().map(|sample| sample.ms), examined.examined)?;
-    Some(Promise {
-        error: request.limit.max,
-        ms: request.max_ms.unwrap_or(measured_ms),
-        views: examined.views,
-        over: examined.over,
-        confidence: examined.confidence(),
-        measured_error,
-        measured_ms,
-    })
+    Some(Promise { error: request.limit.max, ms, views: examined.views, over, confidence, measured_error, measured_ms })
 }
 
 fn reason<M: Meter>(measurer: &Measurer<'_, M>, candidate: usize, candidates: &[Candidate]) -> Reason {

@@ -203,7 +203,7 @@ fn a_candidate_that_fails_its_examination_gives_way_to_the_next() {
             assert_eq!(examined.candidate, 0);
             let confidence = found.chosen.unwrap().promise.unwrap().confidence;
             let alone = promise::confidence(124, 0, 1);
-            assert!(confidence < alone && confidence > 0.99, "two were examined: {confidence}");
+            assert!(confidence < alone && confidence > 0.9, "two were examined: {confidence}");
         }
     }
     assert!(failed > 5, "some pass the race: {failed}");

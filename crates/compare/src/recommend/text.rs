@@ -175,19 +175,25 @@ fn not_measured(text: &mut String, all: &[NotMeasured]) {
 
 fn measured(found: &Recommendation) -> String {
     let candidates = found.measured.len();
-    let what = format!("{candidates} methods with options in views from all around");
+    let methods = if candidates == 1 { "method with its options" } else { "methods with options" };
+    let what = format!("{candidates} {methods} in views from all around");
     match found.views_measured {
         0 => format!("{what}, all of them earlier (cached)"),
-        views => format!("{what}: {views} views in {:.1} s", found.seconds),
+        count => format!("{what}: {} in {:.1} s", views(count), found.seconds),
     }
 }
 
 fn checked(check: &Check, found: &Recommendation) -> String {
     let Check { views, within_error, within_ms, within_both, worst_error, worst_ms } = check;
     let share = |within: &u32| format!("{:.1} %", 100.0 * f64::from(*within) / f64::from(*views));
-    let verdict = if check.is_kept() { "kept" } else { "broken" };
+    let verdict = match (check.is_kept(), check.is_refuted()) {
+        (true, _) => "kept",
+        (false, true) => "broken",
+        (false, false) => "neither kept nor refuted",
+    };
+    let others = if *views == 1 { "1 other view".to_owned() } else { format!("{views} other views") };
     format!(
-        "the promise is {verdict} in {views} other views: {} within the error (worst {}), {} within the time (worst {} ms), {} within both",
+        "the promise is {verdict} in {others}: {} within the error (worst {}), {} within the time (worst {} ms), {} within both",
         share(within_error),
         number(*worst_error, found.request.error().unit),
         share(within_ms),

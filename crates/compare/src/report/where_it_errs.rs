@@ -54,7 +54,7 @@ pub fn sentence(errors: &LineErrors) -> String {
             (e.missed_open_boundary_px, "along boundary edges"),
             (e.missed_inward_winding_px, "where faces are wound inwards"),
             (e.missed_small_faces_px, "where faces are below a pixel"),
-            (e.missed_unexplained_px, "elsewhere"),
+            (e.missed_unexplained_px, "without a known cause"),
         ],
     );
     let spurious = parts(
@@ -65,7 +65,7 @@ pub fn sentence(errors: &LineErrors) -> String {
             (e.spurious_open_boundary_px, "at open boundaries"),
             (e.spurious_inward_winding_px, "where faces are wound inwards"),
             (e.spurious_small_faces_px, "where faces are below a pixel"),
-            (e.spurious_unexplained_px, "elsewhere"),
+            (e.spurious_unexplained_px, "without a known cause"),
         ],
     );
     let missed = missed.map_or_else(|| "Misses nothing.".to_owned(), |text| format!("Misses {text}."));
@@ -130,7 +130,7 @@ mod tests {
         assert_eq!(
             sentence(&more),
             "Misses 51.0 % of the true length, 40.0 % inside of the outline (50.0 % along boundary edges, 1.0 % where faces \
-             are below a pixel). Spurious ink amounts to 2.0 % of the true length (2.0 % elsewhere)."
+             are below a pixel). Spurious ink amounts to 2.0 % of the true length (2.0 % without a known cause)."
         );
         let inner = LineErrors { missed_inner_px: Some(500.0), ..errors() };
         assert!(sentence(&inner).starts_with("Misses 50.0 % of the true length, all inside of the outline (50.0 %"));

@@ -7,7 +7,7 @@ use super::follow::{FollowError, Followed, ScoredFrame, follow};
 use super::frame_source::{FrameSource, Output};
 use super::subject::Subject;
 use super::truths::{Scored, Truths};
-use crate::cost::{FrameCost, PrepareCost};
+use crate::cost::{FrameCost, FrameSample, PrepareCost};
 use crate::drawing::afresh::Afresh;
 use crate::drawing::{DrawError, Drawing, FrameStyle, Ground};
 use crate::options::OptionSettings;
@@ -37,6 +37,23 @@ pub(crate) struct Bench<'a> {
     coherence: Option<CoherenceBench<'a>>,
 }
 
+/// A cell of which the path was followed once or more.
+pub(crate) struct BegunCell {
+    drawing: Drawing,
+    cell: Cell,
+    pictures: PictureSet,
+    /// What each frame took in each pass, warm-up frames too.
+    passes: Vec<Vec<FrameSample>>,
+}
+
+/// What beginning a cell yields.
+pub(crate) enum Begun {
+    /// A cell.
+    Cell(Box<BegunCell>),
+    /// The method is not defined for the mesh.
+    LeftOut(LeftOut),
+}
+
 impl<'a> Bench<'a> {
     /// Finds the truth of every scored frame.
     pub fn new(
@@ -57,28 +74,58 @@ impl<'a> Bench<'a> {
         Ok(Self { scene, gpu, progress, subject, cameras, scored, truths, coherence })
     }
 
-    /// Runs a cell: prepares the method, follows the path, scores the frames kept. A method that refuses the mesh is noted as
-    /// left out.
+    /// Runs a cell: prepares the method, follows the path as often as the scene says, scores the frames kept.
     pub fn run_cell(&mut self, choice: &MethodChoice) -> Result<Outcome, CompareError> {
+        match self.begin(choice)? {
+            Begun::LeftOut(left_out) => Ok(Outcome::LeftOut(left_out)),
+            Begun::Cell(mut begun) => {
+                for _ in 1..self.scene.path.passes {
+                    self.follow_again(&mut begun)?;
+                }
+                Ok(self.finish(*begun))
+            }
+        }
+    }
+
+    /// Follows the path of a cell once more, for times alone.
+    pub fn follow_again(&self, begun: &mut BegunCell) -> Result<(), CompareError> {
+        let mesh = &self.subject.mesh.name;
+        let method = &begun.cell.method;
+        let pass = begun.passes.len() + 1;
+        self.progress.stage(&format!("{mesh}: {method}, pass {pass}"), self.cameras.len() as u64);
+        let followed = follow(&mut begun.drawing, &self.cameras, &[], self.gpu, self.progress);
+        begun.passes.push(followed.map_err(|error| failed(mesh, method, error))?.samples);
+        Ok(())
+    }
+
+    /// A cell with the times of all passes over its path.
+    pub fn finish(&self, begun: BegunCell) -> Outcome {
+        let BegunCell { mut cell, pictures, passes, .. } = begun;
+        cell.frame = frame_cost(&passes, self.scene);
+        Outcome::Measured { cell: Box::new(cell), pictures: Box::new(pictures) }
+    }
+
+    /// Begins a cell: prepares the method, follows the path once, scores the frames kept. A method that refuses the mesh is noted as
+    /// left out.
+    pub fn begin(&mut self, choice: &MethodChoice) -> Result<Begun, CompareError> {
         let method = choice.entry.info().name;
         let mesh = self.subject.mesh.name.clone();
-        let frames = self.cameras.len() as u64 * u64::from(self.scene.path.passes);
-        self.progress.stage(&format!("{mesh}: {method}"), frames);
+        self.progress.stage(&format!("{mesh}: {method}"), self.cameras.len() as u64);
         let prepared = self.prepare(choice);
         let (mut drawing, prepare, artefacts) = match prepared {
             Err(DrawError::Prepare(PrepareError::Mesh(reason))) => {
                 let method = method.to_owned();
-                return Ok(Outcome::LeftOut(LeftOut { mesh, method, reason: reason.to_string() }));
+                return Ok(Begun::LeftOut(LeftOut { mesh, method, reason: reason.to_string() }));
             }
             prepared => prepared.map_err(|cause| CompareError::draw(&mesh, method, cause))?,
         };
         let options = OptionSettings::from(&choice.options);
-        let (mut cell, pictures) = self.score_source(&mut drawing, method, options, prepare)?;
+        let (mut cell, pictures, samples) = self.score_source(&mut drawing, method, options, prepare)?;
         cell.artefacts = artefacts;
         if let Some(coherence) = &mut self.coherence {
             cell.coherence = coherence.run(&mut drawing, method, self.gpu, self.progress)?;
         }
-        Ok(Outcome::Measured { cell: Box::new(cell), pictures: Box::new(pictures) })
+        Ok(Begun::Cell(Box::new(BegunCell { drawing, cell, pictures, passes: vec![samples] })))
     }
 
     /// Prepares a method for a mesh that nothing was derived from, so that its time and its artefacts hold everything it needs.
@@ -98,28 +145,24 @@ impl<'a> Bench<'a> {
         Ok((drawing, cost, artefacts.iter().map(record).collect()))
     }
 
-    /// Follows the path with whatever draws the frames, and scores what was kept.
+    /// Follows the path with whatever draws the frames, and scores what was kept; yields what each frame took as well.
     pub(super) fn score_source(
         &mut self,
         source: &mut dyn FrameSource,
         method: &str,
         options: OptionSettings,
         prepare: PrepareCost,
-    ) -> Result<(Cell, PictureSet), CompareError> {
+    ) -> Result<(Cell, PictureSet, Vec<FrameSample>), CompareError> {
         let output = source.output();
         self.truths.prepare(output, self.gpu, self.progress)?;
         let mesh = &self.subject.mesh.name;
-        let followed = follow(source, &self.cameras, &self.scored, self.scene.path.passes, self.gpu, self.progress)
-            .map_err(|error| match error {
-                FollowError::Cancelled(cancelled) => CompareError::Cancelled(cancelled),
-                FollowError::Draw(cause) => CompareError::draw(mesh, method, cause),
-            })?;
+        let followed = follow(source, &self.cameras, &self.scored, self.gpu, self.progress);
+        let followed = followed.map_err(|error| failed(mesh, method, error))?;
         let score = |(view, frame): (usize, &ScoredFrame)| self.truths.score(view, output, &frame.picture);
         let scores: Vec<Scored> = followed.scored.par_iter().enumerate().map(score).collect();
         let view = |at: usize| self.view(at, output, &followed, &scores[at]);
         let views: Vec<View> = (0..scores.len()).map(view).collect();
 
-        let warm_up = self.scene.path.warm_up;
         let cell = Cell {
             mesh: self.truths.mesh.clone(),
             method: method.to_owned(),
@@ -135,7 +178,7 @@ impl<'a> Bench<'a> {
             },
             prepare,
             artefacts: Vec::new(),
-            frame: FrameCost::of(&followed.passes, warm_up).expect("every scene times at least one frame"),
+            frame: frame_cost(std::slice::from_ref(&followed.samples), self.scene),
             views,
             intervals: BTreeMap::new(),
             coherence: Vec::new(),
@@ -152,12 +195,12 @@ impl<'a> Bench<'a> {
             truth,
             difference,
         };
-        Ok((cell.with_intervals(), pictures))
+        Ok((cell.with_intervals(), pictures, followed.samples))
     }
 
     fn view(&self, view: usize, output: Output, followed: &Followed, scored: &Scored) -> View {
         let frame = &followed.scored[view];
-        let sample = &followed.passes[0][frame.index];
+        let sample = &followed.samples[frame.index];
         View {
             frame: frame.index as u32 - self.scene.path.warm_up,
             camera: CameraRecord::from(&self.cameras[frame.index]),
@@ -168,6 +211,17 @@ impl<'a> Bench<'a> {
             metrics: scored.metrics,
             errors: scored.errors,
         }
+    }
+}
+
+fn frame_cost(passes: &[Vec<FrameSample>], scene: &Scene) -> FrameCost {
+    FrameCost::of(passes, scene.path.warm_up).expect("every scene times at least one frame")
+}
+
+fn failed(mesh: &str, method: &str, error: FollowError) -> CompareError {
+    match error {
+        FollowError::Cancelled(cancelled) => CompareError::Cancelled(cancelled),
+        FollowError::Draw(cause) => CompareError::draw(mesh, method, cause),
     }
 }
 

@@ -1,7 +1,6 @@
 //! Follows the camera's path, frame by frame: each frame is drawn and timed, and what a scored one shows is kept.
 //!
-//! The path may be followed several times, so that times are of moments that lie apart. Scored frames are frames of the first pass,
-//! in its order. A method that keeps state from frame to frame is thus scored while
+//! Scored frames are frames of the timed path, in its order. A method that keeps state from frame to frame is thus scored while
 //! it does so, and its time and its accuracy are of the same frames.
 
 use super::frame_source::FrameSource;
@@ -13,8 +12,8 @@ use silhouette_render::{Gpu, Image};
 /// The frames of a cell.
 #[derive(Debug)]
 pub struct Followed {
-    /// What each frame took in each pass over the path, warm-up frames too.
-    pub passes: Vec<Vec<FrameSample>>,
+    /// What each frame took, warm-up frames too.
+    pub samples: Vec<FrameSample>,
     /// The scored frames in order.
     pub scored: Vec<ScoredFrame>,
 }
@@ -41,8 +40,8 @@ pub enum FollowError {
     Draw(#[from] DrawError),
 }
 
-/// Draws a frame for each camera, `passes` times over, and keeps those of the indices in `scored`, ascending, of the first pass.
-/// Pictures are read back between frames, outside of their clocks.
+/// Draws a frame for each camera and keeps those of the indices in `scored`, ascending. Pictures are read back between frames,
+/// outside of their clocks.
 ///
 /// # Errors
 /// [`FollowError`].
@@ -50,23 +49,19 @@ pub fn follow(
     source: &mut dyn FrameSource,
     cameras: &[Camera],
     scored: &[usize],
-    passes: u32,
     gpu: &Gpu,
     progress: &dyn Progress,
 ) -> Result<Followed, FollowError> {
-    let mut followed = Followed { passes: Vec::new(), scored: Vec::with_capacity(scored.len()) };
-    for pass in 0..passes {
-        let mut samples = Vec::with_capacity(cameras.len());
-        for (index, camera) in cameras.iter().enumerate() {
-            progress.check()?;
-            samples.push(source.draw(gpu, camera)?);
-            if pass == 0 && scored.binary_search(&index).is_ok() {
-                let picture = source.picture(gpu)?;
-                followed.scored.push(ScoredFrame { index, picture, edges: source.edges().cloned() });
-            }
-            progress.advance(1);
+    let mut followed =
+        Followed { samples: Vec::with_capacity(cameras.len()), scored: Vec::with_capacity(scored.len()) };
+    for (index, camera) in cameras.iter().enumerate() {
+        progress.check()?;
+        followed.samples.push(source.draw(gpu, camera)?);
+        if scored.binary_search(&index).is_ok() {
+            let picture = source.picture(gpu)?;
+            followed.scored.push(ScoredFrame { index, picture, edges: source.edges().cloned() });
         }
-        followed.passes.push(samples);
+        progress.advance(1);
     }
     Ok(followed)
 }

@@ -180,7 +180,7 @@ fn a_source_that_fills_is_measured_against_the_filled_truth() {
         let cost = PrepareCost { prepare_ms: 0.0, renderer_ms: 0.0, bytes: 0 };
         bench.score_source(&mut source, "fine", OptionSettings::default(), cost).unwrap()
     };
-    let ((same, pictures), (moved, _)) = (cell(0), cell(3));
+    let ((same, pictures, _), (moved, ..)) = (cell(0), cell(3));
     assert_eq!((same.picture, same.pen, pictures.picture), (PictureKind::Fill, None, PictureKind::Fill));
     assert_eq!(pictures.drawn, pictures.truth);
     for (same, moved) in same.views.iter().zip(&moved.views) {
@@ -232,7 +232,7 @@ fn the_pictures_kept_are_of_the_worst_view() {
         let fine = Fine { renderer, shift_px: 0, picture: None };
         let mut source = Slipping { fine, drawn: 0, slips_at: (scene.path.warm_up + frame) as usize };
         let cost = PrepareCost { prepare_ms: 0.0, renderer_ms: 0.0, bytes: 0 };
-        let (cell, pictures) = bench.score_source(&mut source, "slipping", OptionSettings::default(), cost).unwrap();
+        let (cell, pictures, _) = bench.score_source(&mut source, "slipping", OptionSettings::default(), cost).unwrap();
         assert_eq!((cell.worst_view(), pictures.frame), (Some(at), frame));
         assert_ne!(pictures.drawn, pictures.truth, "frame {frame}");
     }
@@ -249,7 +249,7 @@ fn the_truth_of_filled_pictures_may_be_another_mesh() {
     let renderer = FillTruth::new(gpu, coarse.mesh.mesh.mesh()).unwrap();
     let mut source = Fine { renderer, shift_px: 0, picture: None };
     let cost = PrepareCost { prepare_ms: 0.0, renderer_ms: 0.0, bytes: 0 };
-    let (cell, _) = bench.score_source(&mut source, "fine", OptionSettings::default(), cost).unwrap();
+    let (cell, ..) = bench.score_source(&mut source, "fine", OptionSettings::default(), cost).unwrap();
     let Some(PictureMetrics::Fill(metrics)) = cell.mean_metrics() else { panic!("filled pictures") };
     // A polyhedron inside of its sphere covers less of the picture.
     assert!((0.02..0.2).contains(&metrics.xor_share), "{metrics:?}");

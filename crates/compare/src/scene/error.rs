@@ -114,6 +114,14 @@ pub enum SceneFault {
         /// Options of the method that have one.
         known: Vec<&'static str>,
     },
+    /// An option is to be swept that has several values already.
+    #[error("{method}.{option} has several values already; sweep it once, or list its values with --set")]
+    SweptTwice {
+        /// The method.
+        method: String,
+        /// The option.
+        option: String,
+    },
     /// A sweep is not of its form.
     #[error("'{text}' is not of the form METHOD.OPTION[=N], N values from {} to {}", sweep::VALUES.start(), sweep::VALUES.end())]
     SweepForm {

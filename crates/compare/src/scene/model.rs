@@ -142,7 +142,8 @@ pub struct PathSpec {
     pub warm_up: u32,
     /// Number of frames timed, in each pass.
     pub frames: u32,
-    /// How often the path is followed, warm-up frames too, for times. Default: once.
+    /// How often the path is followed, warm-up frames too, for times; all methods of a mesh in turn, which stay prepared meanwhile.
+    /// Default: once.
     #[serde(default = "once", skip_serializing_if = "is_once")]
     pub passes: u32,
     /// Number of timed frames that are scored, spread evenly.

@@ -37,24 +37,32 @@ impl Scene {
             option: option.to_owned(),
             known: specs.iter().filter(|spec| spec.sweep.is_some()).map(|spec| spec.name).collect(),
         })?;
-        let swept = |cell: &MethodSpec| swept(cell, spec, count);
+        let is_varied = |cell: &MethodSpec| matches!(cell.options.get(option), Some(OptionSpread::Several(_)));
+        if self.methods.iter().any(|cell| cell.name == method && is_varied(cell)) {
+            return Err(SceneFault::SweptTwice { method: method.to_owned(), option: option.to_owned() });
+        }
+        let swept = |cell: &MethodSpec| swept(cell, specs, spec, count);
         let added: Vec<MethodSpec> = self.methods.iter().filter(|cell| cell.name == method).filter_map(swept).collect();
         self.methods.splice(last + 1..last + 1, added);
         Ok(())
     }
 }
 
-/// A cell's method with the values of a sweep that it does not have; `None` where there are none, or where it is swept already.
-fn swept(cell: &MethodSpec, spec: &'static OptionSpec, count: usize) -> Option<MethodSpec> {
+/// A method with the values of a sweep that it does not have; `None` where there are none, and for the cells of another sweep, which are
+/// known by a list of values without the default.
+fn swept(cell: &MethodSpec, specs: &[OptionSpec], spec: &'static OptionSpec, count: usize) -> Option<MethodSpec> {
     let present = match cell.options.get(spec.name) {
         Some(OptionSpread::Several(_)) => return None,
         Some(OptionSpread::One(value)) => value.clone(),
         None => setting(spec.default_value()),
     };
+    let is_of_sweep = |other: &OptionSpec| match cell.options.get(other.name) {
+        Some(OptionSpread::Several(values)) => !values.contains(&setting(other.default_value())),
+        _ => false,
+    };
     let values: Vec<OptionSetting> =
         spec.sweep_values(count).into_iter().map(setting).filter(|value| *value != present).collect();
-    // Values that another sweep varies stay as they are there.
-    if values.is_empty() || cell.options.values().any(|spread| matches!(spread, OptionSpread::Several(_))) {
+    if values.is_empty() || specs.iter().any(|other| other.sweep.is_some() && is_of_sweep(other)) {
         return None;
     }
     let mut swept = cell.clone();
@@ -105,6 +113,18 @@ mod tests {
         let cells = scene(&["tracking"], &["tracking.concavity=3", "tracking.audit-share=3"]).unwrap();
         assert_eq!(values(&cells, "concavity"), ["0", "0.8", "1.6", "0", "0"]);
         assert_eq!(values(&cells, "audit-share"), ["0.1", "0.1", "0.1", "0.01", "1"], "0.1 is the default");
+    }
+
+    #[test]
+    fn sweeps_are_about_every_cell_that_lists_make() {
+        let registry = Registry::builtin();
+        let mut scene = Profile::Quick.scene();
+        scene.select(&["tracking".to_owned()]);
+        scene.set("tracking.mesh=refuse,cut", &registry).unwrap();
+        scene.sweep("tracking.concavity=3", &registry).unwrap();
+        assert_eq!(choices(&scene, &registry).unwrap().len(), 6);
+        let twice = scene.sweep("tracking.concavity=2", &registry).unwrap_err().to_string();
+        assert!(twice.contains("tracking.concavity has several values already"), "{twice}");
     }
 
     #[test]

@@ -243,7 +243,11 @@ impl CellStore {
             if is_part(&entry.file_name()) {
                 remove_file(&entry.path())?;
             } else if entry.file_name().to_str().is_some_and(|name| name.starts_with(NESTED)) {
-                Self::existing(&entry.path())?.remove()?;
+                match Self::existing(&entry.path()) {
+                    // Of a process that was killed before it wrote what the directory is for.
+                    Err(StoreError::NotOurs { .. }) => remove_unfinished(&entry.path())?,
+                    nested => nested?.remove()?,
+                }
             }
         }
         remove_file(&self.folder.join(KEY))?;
@@ -291,6 +295,19 @@ fn read_key(folder: &Path) -> Result<Key, StoreError> {
     };
     let damaged = |error: serde_json::Error| StoreError::Key { path: path.clone(), reason: error.to_string() };
     serde_json::from_slice(&text).map_err(damaged)
+}
+
+/// Removes a directory of which nothing but its beginning was written.
+fn remove_unfinished(folder: &Path) -> Result<(), StoreError> {
+    for entry in fs::read_dir(folder).map_err(at(folder))?.flatten() {
+        if is_part(&entry.file_name()) {
+            remove_file(&entry.path())?;
+        }
+    }
+    match fs::remove_dir(folder) {
+        Err(error) if error.kind() != io::ErrorKind::DirectoryNotEmpty => Err(at(folder)(error)),
+        _ => Ok(()),
+    }
 }
 
 /// In what two keys differ first.

@@ -217,6 +217,9 @@ fn added_cells_lie_within_their_comparison_and_go_with_it() {
     assert_eq!((kept.took, kept.run), (TOOK, sample::run()));
     assert_eq!(base.count(), 2, "they are no cells of the comparison itself");
 
+    // A process was killed before it wrote a key.
+    std::fs::create_dir(base.folder().join("refined-deadbeef")).unwrap();
+    std::fs::write(base.folder().join("refined-deadbeef/.cell-x.part"), "half").unwrap();
     base.remove().unwrap();
     assert!(folder.path().read_dir().unwrap().next().is_none());
 }
