@@ -38,9 +38,12 @@ else
 fi
 if wanted hyperqueue && "$PYTHON" -c 'import hyperqueue' 2> /dev/null; then
     # One task dies in the middle of its work.
-    (sleep 2; pkill -9 -n -f -- "--shard [0-9]*/20" && echo "killed a task") &
+    (until pkill -9 -n -f -- "--shard [0-9]*/20 -o $work/hyperqueue"; do sleep 0.1; done && touch "$work/killed") &
+    killer=$!
     # shellcheck disable=SC2046
     "$PYTHON" "$here/hq_array.py" 20 "$work/hyperqueue" $(set_of) > /dev/null 2>&1
+    kill "$killer" 2> /dev/null || true
+    test -e "$work/killed" || { echo "hyperqueue: no task could be killed" >&2; exit 1; }
     check hyperqueue
 else
     echo "hyperqueue: not tried"

@@ -5,6 +5,7 @@ use super::measure::Measure;
 use super::summary::{CellSummary, MeshSummary};
 use super::tables::who;
 use super::text::{in_unit, interval, measured, megabytes, milliseconds};
+use crate::interval;
 use crate::metrics::PictureKind;
 use minijinja::{Value, context};
 use serde_json::json;
@@ -105,9 +106,15 @@ fn sentence(kind: PictureKind, measure: &Measure, cells: &[&CellSummary<'_>]) ->
     if count == 1 {
         return format!("{} is the only one to {verb}: {}.", name(first), figures(first));
     }
+    // A median that is shorter by chance is no win.
+    let ties: Vec<String> = equals(cells, measure, last).into_iter().map(name).collect();
+    let ties = match ties.as_slice() {
+        [] => String::new(),
+        ties => format!(" As accurate, and as fast within the intervals of their times: {}.", ties.join(", ")),
+    };
     if first == last {
         return format!(
-            "{} is both the fastest of {count} {noun} that {verb} and the most accurate by {title}: {}.",
+            "{} is both the fastest of {count} {noun} that {verb} and the most accurate by {title}: {}.{ties}",
             name(first),
             figures(first)
         );
@@ -115,13 +122,22 @@ fn sentence(kind: PictureKind, measure: &Measure, cells: &[&CellSummary<'_>]) ->
     let ratio = time(last) / time(first);
     format!(
         "{} of {count} {noun} that {verb} are on the front: no other is both faster and closer to the truth by {title}. The fastest is \
-         {}: {}. The most accurate is {}: {}, {ratio:.1} times as long.",
+         {}: {}. The most accurate is {}: {}, {ratio:.1} times as long.{ties}",
         front.len(),
         name(first),
         figures(first),
         name(last),
         figures(last),
     )
+}
+
+/// The other cells with the same value as one, whose time is the same within the intervals of both.
+fn equals(cells: &[&CellSummary<'_>], measure: &Measure, of: usize) -> Vec<usize> {
+    let interval = |index: usize| cells[index].cell.frame.frame_ms.interval;
+    let value = |index: usize| measure.value(cells[index]).map(f64::to_bits);
+    let is_equal =
+        |&other: &usize| other != of && value(other) == value(of) && interval::overlap(interval(other), interval(of));
+    (0..cells.len()).filter(is_equal).collect()
 }
 
 #[cfg(test)]
@@ -159,6 +175,15 @@ mod tests {
         );
         let fills = said(&cells, PictureKind::Fill);
         assert_eq!(fills, "f (row 3) is the only one to fill pictures: 2.00 ms per frame, 0.00 px.");
+    }
+
+    #[test]
+    fn a_median_that_is_shorter_by_chance_is_no_win() {
+        let cells =
+            [cell("a", "x", 4.0, 1.0), cell("a", "y", 4.1, 1.0), cell("a", "z", 90.0, 1.0), cell("a", "w", 4.0, 2.0)];
+        let lines = said(&cells, PictureKind::Lines);
+        let ties = " As accurate, and as fast within the intervals of their times: y (row 2).";
+        assert!(lines.starts_with("x (row 1) is both the fastest") && lines.ends_with(ties), "{lines}");
     }
 
     #[test]
