@@ -18,7 +18,7 @@ pub const MAX_CROSSINGS: f64 = 1e5;
 /// Most corners of what a pen covers before it is united.
 pub const MAX_CORNERS: f64 = 8e6;
 
-/// Most pairs of strokes in the same [cells](CELL_PX): about twice as many as the crossings of lines that are scattered evenly.
+/// Most pairs of strokes in the same cells of 8 pixels: about twice as many as the crossings of lines that are scattered evenly.
 pub const MAX_PAIRS: f64 = 3e5;
 
 /// Side of a cell in pixels: a few widths of a pen.
