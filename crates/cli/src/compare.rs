@@ -11,7 +11,7 @@ use crate::render::draws_itself;
 use crate::winding::Winding;
 use arguments::CompareArguments;
 use silhouette_compare::metrics::PictureKind;
-use silhouette_compare::metrics::table::{self, MetricSpec};
+use silhouette_compare::metrics::table::MetricSpec;
 use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
 use silhouette_compare::scaling::{ExtractionRow, read_rows};
 use silhouette_compare::scene::{MeshSpec, Scene};
@@ -90,13 +90,10 @@ fn is_swept(comparison: &Comparison) -> bool {
     settings.len() > methods.len()
 }
 
-/// The errors of the fronts: the one named for its kind of picture, and the usual one for the other.
+/// The errors of the fronts: the one named for its kind of picture, and the leading one of the other.
 fn errors(named: Option<&'static MetricSpec>) -> Errors {
-    let of = |kind: PictureKind, usual: &str| {
-        let named = named.filter(|metric| metric.kind == kind);
-        named.or_else(|| table::find(usual)).expect("the table holds the usual metrics")
-    };
-    Errors { lines: of(PictureKind::Lines, "chamfer_px"), fill: of(PictureKind::Fill, "boundary_chamfer_px") }
+    let of = |kind: PictureKind| named.filter(|metric| metric.kind == kind).unwrap_or_else(|| kind.leading_metric());
+    Errors { lines: of(PictureKind::Lines), fill: of(PictureKind::Fill) }
 }
 
 /// The rows of several files.
@@ -170,9 +167,7 @@ fn config(arguments: &CompareArguments, registry: &Registry) -> Result<CompareCo
     for setting in &arguments.set {
         scene.set(setting, registry).map_err(|fault| Failure::Input(format!("--set {setting}: {fault}")))?;
     }
-    for sweep in &arguments.sweep {
-        scene.sweep(sweep, registry).map_err(|fault| Failure::Input(format!("--sweep {sweep}: {fault}")))?;
-    }
+    scene.sweep(&arguments.sweep, registry).map_err(|fault| Failure::Input(format!("--sweep: {fault}")))?;
     if let Some(passes) = arguments.passes {
         scene.path.passes = passes;
     }

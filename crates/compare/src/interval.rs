@@ -96,13 +96,17 @@ mod tests {
     #[test]
     fn the_interval_holds_the_true_mean_as_often_as_it_says() {
         let mut random = fastrand::Rng::with_seed(7);
-        let held = (0..400).filter(|_| {
-            let values: Vec<f64> = (0..60).map(|_| normal(&mut random)).collect();
-            let [low, high] = of_mean(&values).unwrap();
-            low <= 0.0 && 0.0 <= high
-        });
-        let share = held.count() as f64 / 400.0;
-        assert!((0.88..=0.985).contains(&share), "{share}");
+        let mut share = |count: usize| {
+            let held = (0..400).filter(|_| {
+                let values: Vec<f64> = (0..count).map(|_| normal(&mut random)).collect();
+                let [low, high] = of_mean(&values).unwrap();
+                low <= 0.0 && 0.0 <= high
+            });
+            held.count() as f64 / 400.0
+        };
+        let (many, few) = (share(60), share(6));
+        assert!((0.88..=0.985).contains(&many), "{many}");
+        assert!((0.72..0.88).contains(&few), "{few}");
     }
 
     /// What single draws would get wrong: values that drift say less about their mean than as many independent ones.

@@ -167,6 +167,31 @@ pub struct StagedDirectory {
     files: BTreeSet<String>,
 }
 
+/// Why a directory of results could not be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum WriteError {
+    /// The directory could not be written.
+    #[error(transparent)]
+    Directory(#[from] DirectoryError),
+    /// What a file is to hold cannot be written down.
+    #[error("{file}: {cause}")]
+    Form {
+        /// The file's name in the directory.
+        file: String,
+        /// Why.
+        cause: io::Error,
+    },
+}
+
+/// The contents of a file, or why there are none.
+///
+/// # Errors
+/// [`WriteError::Form`] names the file.
+pub fn formed<T>(file: &str, contents: io::Result<T>) -> Result<T, WriteError> {
+    contents.map_err(|cause| WriteError::Form { file: file.to_owned(), cause })
+}
+
 impl StagedDirectory {
     /// Creates the directory beside `target`, whose parents are created where they are missing.
     ///

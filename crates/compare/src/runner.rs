@@ -62,7 +62,7 @@ impl CompareConfig {
     }
 }
 
-/// Runs every method with its options on every mesh; the scene's own list of meshes plays no part. Takes under a minute per mesh
+/// Runs every method with its options on every mesh; the scene's own list of meshes plays no part. Takes about a minute per mesh
 /// with [`Profile::Quick`](crate::Profile::Quick) on two cores without a graphics card; memory for one mesh at a time.
 ///
 /// # Errors

@@ -12,7 +12,7 @@
 use crate::figure::{figures, write_figures, write_figures_csv};
 use crate::page;
 use crate::paper::Reproduction;
-use silhouette_compare::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
+use silhouette_compare::result_directory::{DirectoryError, DirectoryKind, StagedDirectory, WriteError, formed};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -22,23 +22,6 @@ const REPRODUCTION: DirectoryKind = DirectoryKind { noun: "reproduction", marker
 const TABLES: &str = "tables.jsonl";
 const SHEET: &str = "tables.csv";
 const PAGE: &str = "index.html";
-
-/// Why a reproduction could not be written.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum WriteError {
-    /// The directory could not be written.
-    #[error(transparent)]
-    Directory(#[from] DirectoryError),
-    /// What a file is to hold cannot be written down.
-    #[error("{file}: {cause}")]
-    Form {
-        /// The file's name in the directory.
-        file: &'static str,
-        /// Why.
-        cause: io::Error,
-    },
-}
 
 /// Whether a reproduction may be written to `directory`: nothing is there, an empty directory, or an earlier reproduction
 /// without any file of somebody else's. Ask before a long run; writing asks again.
@@ -74,11 +57,6 @@ pub fn write(reproduction: &Reproduction, directory: &Path) -> Result<PathBuf, W
     staged.write(PAGE, formed(PAGE, page::render(reproduction).map_err(io::Error::other))?.as_bytes())?;
     staged.commit()?;
     Ok(directory.join(PAGE))
-}
-
-/// The contents of a file, or why there are none.
-fn formed<T>(file: &'static str, contents: io::Result<T>) -> Result<T, WriteError> {
-    contents.map_err(|cause| WriteError::Form { file, cause })
 }
 
 #[cfg(test)]

@@ -31,9 +31,10 @@ pub mod zink;
 
 pub use error::{Cause, PaperError};
 pub use figure::Figure;
-pub use files::{WriteError, check_target, write};
+pub use files::{check_target, write};
 pub use paper::{Measured, Paper, Reproduction, Run};
 pub use picture::Picture;
+pub use silhouette_compare::result_directory::WriteError;
 pub use table::{Cell, Column, Comparable, Range, Row, Table};
 
 /// Every paper, in the order of publication. To add one, add a line.

@@ -15,7 +15,7 @@ use std::time::Duration;
 /// How much a comparison measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ProfileArgument {
-    /// Small pictures, part of a turn: under a minute per mesh, even in software
+    /// Small pictures, part of a turn: about a minute per mesh, even in software
     Quick,
     /// Large pictures, a whole turn
     Full,

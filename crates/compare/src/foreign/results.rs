@@ -13,7 +13,7 @@ use super::score::ForeignScore;
 use crate::machine::{describe_machine, describe_program};
 use crate::record::Cell;
 use crate::record::flat::Table;
-use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
+use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory, WriteError, formed};
 use serde::Serialize;
 use std::io;
 use std::path::Path;
@@ -32,23 +32,6 @@ pub fn check_target(directory: &Path) -> Result<(), DirectoryError> {
     SCORE.check_target(directory)
 }
 
-/// Why a score could not be written.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ResultsError {
-    /// The directory could not be written.
-    #[error(transparent)]
-    Directory(#[from] DirectoryError),
-    /// What a file is to hold cannot be written down.
-    #[error("{file}: {cause}")]
-    Form {
-        /// The file's name in the directory.
-        file: String,
-        /// Why.
-        cause: io::Error,
-    },
-}
-
 /// What a score comes from.
 #[derive(Serialize)]
 struct RunFile<'a> {
@@ -62,14 +45,14 @@ struct RunFile<'a> {
 /// an earlier score is replaced.
 ///
 /// # Errors
-/// [`ResultsError`]; whatever was at `directory` before is still there.
+/// [`WriteError`]; whatever was at `directory` before is still there.
 pub fn write(
     directory: &Path,
     cell: &Cell,
     scores: &[ForeignScore],
     files: &[String],
     cameras: &CamerasDocument,
-) -> Result<(), ResultsError> {
+) -> Result<(), WriteError> {
     let mut staged = StagedDirectory::begin(directory, SCORE)?;
     let run = RunFile { files, program: describe_program(), machine: describe_machine(), cameras };
     staged.write("run.json", &formed("run.json", lined(serde_json::to_vec_pretty(&run)))?)?;
@@ -84,10 +67,6 @@ pub fn write(
     Ok(staged.commit()?)
 }
 
-fn formed<T>(file: &str, contents: io::Result<T>) -> Result<T, ResultsError> {
-    contents.map_err(|cause| ResultsError::Form { file: file.to_owned(), cause })
-}
-
 fn lined(text: serde_json::Result<Vec<u8>>) -> io::Result<Vec<u8>> {
     let mut text = text?;
     text.push(b'\n');
@@ -95,13 +74,13 @@ fn lined(text: serde_json::Result<Vec<u8>>) -> io::Result<Vec<u8>> {
 }
 
 fn csv_of(cell: &Cell) -> io::Result<Vec<u8>> {
-    let table = Table::of_views(std::slice::from_ref(cell));
-    let is_counted: Vec<bool> = table.columns.iter().map(|column| COUNTED.contains(&column.as_str())).collect();
-    let mut out = csv::Writer::from_writer(Vec::new());
-    out.write_record(&table.columns)?;
-    for row in &table.rows {
-        let is_unmeasured = |(value, is_counted): (&String, &bool)| *is_counted || value == "NaN";
-        out.write_record(row.iter().zip(&is_counted).map(|field| if is_unmeasured(field) { "" } else { field.0 }))?;
+    let mut table = Table::of_views(std::slice::from_ref(cell));
+    for row in &mut table.rows {
+        for (value, column) in row.iter_mut().zip(&table.columns) {
+            if value == "NaN" || COUNTED.contains(&column.as_str()) {
+                value.clear();
+            }
+        }
     }
-    out.into_inner().map_err(csv::IntoInnerError::into_error)
+    table.to_csv()
 }

@@ -118,6 +118,14 @@ pub struct MetricSpec {
     pub value_mut: fn(&mut PictureMetrics) -> Option<&mut f64>,
 }
 
+impl MetricSpec {
+    /// The value so that lower is better; `None` where there is none.
+    pub fn error(&self, metrics: &PictureMetrics) -> Option<f64> {
+        let value = (self.value)(metrics)?;
+        Some(if self.better == Better::Higher { -value } else { value })
+    }
+}
+
 /// A row of [`METRICS`], with how its value is read and written.
 macro_rules! row {
     ($kind:ident, $field:ident, $title:literal, $unit:literal, $best:literal, $worst:literal, $better:ident,

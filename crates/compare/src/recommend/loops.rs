@@ -1,9 +1,10 @@
 //! [`LoopMeter`]: methods that extract loops, measured against all silhouette edges by Hall's definition. Needs no device.
 
 use super::candidates::Candidate;
-use super::meter::{ArtefactSize, Fault, Meter, Preparation, Sample, Until};
+use super::meter::{Fault, Meter, Preparation, Sample, Until};
 use super::views::{Setting, ViewId, run_up};
 use crate::cost::PrepareCost;
+use crate::record::ArtefactRecord;
 use crate::registry::Prepared;
 use crate::runner::{CompareError, NamedMesh};
 use silhouette_core::mesh::Bounds;
@@ -140,11 +141,10 @@ impl Meter for LoopMeter<'_> {
 /// What preparing a method on a fresh mesh made.
 pub(super) fn preparation(fresh: &PreparedMesh, own_bytes: usize, prepare_ms: f64, renderer_ms: f64) -> Preparation {
     let report = fresh.report();
-    let size = |name: &str, bytes: usize| ArtefactSize { name: name.to_owned(), bytes: bytes as u64 };
     let bytes = own_bytes + report.iter().map(|artefact| artefact.bytes).sum::<usize>();
     Preparation {
         cost: PrepareCost { prepare_ms, renderer_ms, bytes: bytes as u64 },
-        artefacts: report.iter().map(|artefact| size(artefact.name, artefact.bytes)).collect(),
+        artefacts: report.iter().map(ArtefactRecord::from).collect(),
         own_bytes: own_bytes as u64,
     }
 }

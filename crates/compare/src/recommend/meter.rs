@@ -3,6 +3,7 @@
 
 use super::views::ViewId;
 use crate::cost::PrepareCost;
+use crate::record::ArtefactRecord;
 use crate::runner::CompareError;
 use serde::{Deserialize, Serialize};
 use silhouette_core::Progress;
@@ -14,18 +15,9 @@ pub struct Preparation {
     /// Time and bytes.
     pub cost: PrepareCost,
     /// The artefacts that were built, in the order of completion.
-    pub artefacts: Vec<ArtefactSize>,
+    pub artefacts: Vec<ArtefactRecord>,
     /// Bytes that the method holds beyond them.
     pub own_bytes: u64,
-}
-
-/// An artefact by its size.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ArtefactSize {
-    /// Its name.
-    pub name: String,
-    /// Bytes in main memory.
-    pub bytes: u64,
 }
 
 /// A view measured.

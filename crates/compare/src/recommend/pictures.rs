@@ -2,12 +2,13 @@
 
 use super::candidates::Candidate;
 use super::goal::{ErrorMetric, Goal};
-use super::meter::{ArtefactSize, Fault, Meter, Preparation, Sample, Until};
+use super::meter::{Fault, Meter, Preparation, Sample, Until};
 use super::true_pictures::TruePictures;
 use super::views::{Purpose, Setting, ViewId, run_up};
 use crate::drawing::afresh::Afresh;
 use crate::drawing::{DrawError, Drawing, FrameStyle, Ground};
 use crate::metrics::{PictureKind, PictureMetrics, find};
+use crate::record::ArtefactRecord;
 use crate::runner::{CompareError, NamedMesh};
 use silhouette_core::method::PrepareError;
 use silhouette_core::{Camera, Progress};
@@ -90,8 +91,7 @@ impl Meter for PictureMeter<'_> {
         let warm_up = self.cameras(candidate, ViewId { purpose: Purpose::Choice, index: 0 })?;
         drawing.draw(self.gpu, &warm_up[0]).map_err(|error| fault(error, &until))?;
         self.drawing = Some(drawing);
-        let size = |name: &str, bytes: usize| ArtefactSize { name: name.to_owned(), bytes: bytes as u64 };
-        let artefacts = artefacts.iter().map(|artefact| size(artefact.name, artefact.bytes)).collect();
+        let artefacts = artefacts.iter().map(ArtefactRecord::from).collect();
         Ok(Preparation { cost, artefacts, own_bytes: own_bytes as u64 })
     }
 

@@ -84,6 +84,7 @@ mod tests {
             [58, 59, 92, 93, 123, 124, 153].map(|views| allowed(views, 1)),
             [None, Some(0), Some(0), Some(1), Some(1), Some(2), Some(3)]
         );
+        assert_eq!([1, 2, 3, 4].map(|examined| allowed(VIEWS, examined)), [Some(2), Some(1), Some(1), Some(0)]);
         assert_eq!([71, 72].map(|views| allowed(views, 2)), [None, Some(0)], "two examined candidates take more");
         assert!((confidence(59, 0, 1) - (1.0 - 0.95_f64.powi(59))).abs() < 1e-12);
     }

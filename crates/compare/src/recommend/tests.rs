@@ -8,6 +8,7 @@ use super::text::text;
 use super::views::{Purpose, ViewId};
 use super::*;
 use crate::cost::PrepareCost;
+use crate::record::ArtefactRecord;
 use crate::registry::{Entry, Registry};
 use crate::runner::NamedMesh;
 use crate::scene::Profile;
@@ -74,7 +75,7 @@ impl Meter for Simulated {
         self.clock_s += prepare_s;
         self.prepared = Some(candidate);
         let cost = PrepareCost { prepare_ms: prepare_s * 1000.0, renderer_ms: 0.0, bytes: 30 };
-        let artefact = meter::ArtefactSize { name: "topology".to_owned(), bytes: 20 };
+        let artefact = ArtefactRecord { name: "topology".to_owned(), bytes: 20 };
         Ok(Preparation { cost, artefacts: vec![artefact], own_bytes: 10 })
     }
 

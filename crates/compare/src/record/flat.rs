@@ -11,6 +11,7 @@ use crate::coherence::metrics::{COHERENCE, CoherenceSpec};
 use crate::metrics::PictureKind;
 use crate::metrics::line_errors::LENGTHS;
 use crate::metrics::table::MetricSpec;
+use std::io;
 
 /// A table.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -147,6 +148,19 @@ impl Table {
             columns,
             rows: cells.iter().flat_map(|cell| cell.views.iter().map(move |view| row(cell, view))).collect(),
         }
+    }
+
+    /// The table as CSV, the names of its columns first.
+    ///
+    /// # Errors
+    /// A row of another length than that of the columns.
+    pub fn to_csv(&self) -> io::Result<Vec<u8>> {
+        let mut out = csv::Writer::from_writer(Vec::new());
+        out.write_record(&self.columns)?;
+        for row in &self.rows {
+            out.write_record(row)?;
+        }
+        out.into_inner().map_err(csv::IntoInnerError::into_error)
     }
 
     /// The cells, in their order: of every metric the mean over the views, with the ends of its 95 % interval. O(rows x columns).

@@ -12,6 +12,7 @@ use crate::metrics::LineErrors;
 use crate::metrics::table::{MetricSpec, PictureKind, PictureMetrics};
 use crate::options::OptionSettings;
 use serde::{Deserialize, Serialize};
+use silhouette_core::prepared::ArtefactReport;
 use silhouette_core::view::{Camera, Projection};
 use std::collections::BTreeMap;
 
@@ -54,6 +55,12 @@ pub struct ArtefactRecord {
     pub name: String,
     /// Bytes in main memory.
     pub bytes: u64,
+}
+
+impl From<&ArtefactReport> for ArtefactRecord {
+    fn from(built: &ArtefactReport) -> Self {
+        Self { name: built.name.to_owned(), bytes: built.bytes as u64 }
+    }
 }
 
 /// Coherence along a motion.

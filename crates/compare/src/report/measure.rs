@@ -12,8 +12,6 @@ pub struct Measure {
     pub title: &'static str,
     /// Unit.
     pub unit: &'static str,
-    /// Which way it is better.
-    pub better: Better,
     source: Source,
 }
 
@@ -29,16 +27,11 @@ impl Measure {
     pub fn of_kind(kind: PictureKind) -> Vec<Self> {
         let mut measures = Vec::new();
         for metric in kind.metrics().filter(|metric| metric.better != Better::NearPenWidth) {
-            let MetricSpec { title, unit, better, .. } = *metric;
-            measures.push(Self { title, unit, better, source: Source::Metric(metric) });
+            let MetricSpec { title, unit, .. } = *metric;
+            measures.push(Self { title, unit, source: Source::Metric(metric) });
         }
         if kind == PictureKind::Lines {
-            measures.push(Self {
-                title: "silhouette edges missed",
-                unit: "share",
-                better: Better::Lower,
-                source: Source::MissedEdges,
-            });
+            measures.push(Self { title: "silhouette edges missed", unit: "share", source: Source::MissedEdges });
         }
         measures
     }
@@ -61,9 +54,9 @@ impl Measure {
 
     /// Indices of the cells that no other beats in both median frame time and this. O(cells log cells).
     pub fn front(&self, cells: &[&CellSummary<'_>]) -> Vec<usize> {
-        let error = |summary: &CellSummary<'_>| match self.better {
-            Better::Higher => self.value(summary).map(|value| -value),
-            Better::Lower | Better::NearPenWidth => self.value(summary),
+        let error = |summary: &CellSummary<'_>| match self.source {
+            Source::Metric(metric) => metric.error(&summary.metrics),
+            Source::MissedEdges => self.value(summary),
         };
         // What has no value is never in the front.
         let point =

@@ -30,7 +30,7 @@ pub use where_it_errs::sentence;
 
 use crate::machine::RunDescription;
 use crate::record::flat::Table;
-use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory};
+use crate::result_directory::{DirectoryError, DirectoryKind, StagedDirectory, WriteError, formed};
 use crate::runner::{Comparison, LeftOut};
 use crate::scaling::{rows_of_cells, write_rows};
 use crate::scene::Scene;
@@ -53,34 +53,17 @@ pub fn check_target(directory: &Path) -> Result<(), DirectoryError> {
     REPORT.check_target(directory)
 }
 
-/// Why a report could not be written.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReportError {
-    /// The directory could not be written.
-    #[error(transparent)]
-    Directory(#[from] DirectoryError),
-    /// What a file is to hold cannot be written down.
-    #[error("{file}: {cause}")]
-    Form {
-        /// The file's name in the report.
-        file: String,
-        /// Why.
-        cause: io::Error,
-    },
-}
-
 /// Writes the report of a comparison and yields the path of its page. The directory appears as a whole or not at all; one
 /// that holds an earlier report is replaced.
 ///
 /// # Errors
-/// [`ReportError`]; whatever was at `directory` before is still there.
-pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, ReportError> {
+/// [`WriteError`]; whatever was at `directory` before is still there.
+pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, WriteError> {
     let mut staged = StagedDirectory::begin(directory, REPORT)?;
     staged.write("run.json", &formed("run.json", run_file(comparison))?)?;
     staged.write("results.jsonl", &formed("results.jsonl", rows(&comparison.cells))?)?;
-    staged.write("results.csv", &formed("results.csv", table(&Table::of_views(&comparison.cells)))?)?;
-    staged.write("cells.csv", &formed("cells.csv", table(&Table::of_cells(&comparison.cells)))?)?;
+    staged.write("results.csv", &formed("results.csv", Table::of_views(&comparison.cells).to_csv())?)?;
+    staged.write("cells.csv", &formed("cells.csv", Table::of_cells(&comparison.cells).to_csv())?)?;
     let own = rows_of_cells(&comparison.cells, &comparison.runs);
     let extractions = [own, comparison.peers.clone()].concat();
     staged.write("extraction.jsonl", &formed("extraction.jsonl", rows(&extractions))?)?;
@@ -92,11 +75,6 @@ pub fn write(comparison: &Comparison, directory: &Path) -> Result<PathBuf, Repor
     staged.write(PAGE, formed(PAGE, page)?.as_bytes())?;
     staged.commit()?;
     Ok(directory.join(PAGE))
-}
-
-/// The contents of a file, or why there are none.
-fn formed<T>(file: &str, contents: io::Result<T>) -> Result<T, ReportError> {
-    contents.map_err(|cause| ReportError::Form { file: file.to_owned(), cause })
 }
 
 /// What all results of a run have in common.
@@ -118,15 +96,6 @@ fn rows<T: Serialize>(rows: &[T]) -> io::Result<Vec<u8>> {
     let mut text = Vec::new();
     write_rows(rows, &mut text)?;
     Ok(text)
-}
-
-fn table(table: &Table) -> io::Result<Vec<u8>> {
-    let mut out = csv::Writer::from_writer(Vec::new());
-    out.write_record(&table.columns)?;
-    for row in &table.rows {
-        out.write_record(row)?;
-    }
-    out.into_inner().map_err(csv::IntoInnerError::into_error)
 }
 
 #[cfg(test)]

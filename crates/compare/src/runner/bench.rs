@@ -16,7 +16,6 @@ use crate::scene::{MethodChoice, Scene};
 use rayon::prelude::*;
 use silhouette_core::Progress;
 use silhouette_core::method::PrepareError;
-use silhouette_core::prepared::ArtefactReport;
 use silhouette_core::view::Camera;
 use silhouette_gpu::PenPlacement;
 use silhouette_render::Gpu;
@@ -101,7 +100,10 @@ impl<'a> Bench<'a> {
     /// A cell with the times of all passes over its path.
     pub fn finish(&self, begun: BegunCell) -> Outcome {
         let BegunCell { mut cell, pictures, passes, .. } = begun;
-        cell.frame = frame_cost(&passes, self.scene);
+        // That of one pass is there.
+        if passes.len() > 1 {
+            cell.frame = frame_cost(&passes, self.scene);
+        }
         Outcome::Measured { cell: Box::new(cell), pictures: Box::new(pictures) }
     }
 
@@ -141,8 +143,7 @@ impl<'a> Bench<'a> {
         let mesh = &self.subject.mesh.mesh;
         let Afresh { drawing, cost, artefacts, .. } =
             Afresh::prepare(self.gpu, mesh, method, choice.picture, style, self.progress)?;
-        let record = |built: &ArtefactReport| ArtefactRecord { name: built.name.to_owned(), bytes: built.bytes as u64 };
-        Ok((drawing, cost, artefacts.iter().map(record).collect()))
+        Ok((drawing, cost, artefacts.iter().map(ArtefactRecord::from).collect()))
     }
 
     /// Follows the path with whatever draws the frames, and scores what was kept; yields what each frame took as well.

@@ -5,7 +5,7 @@ use super::model::Scene;
 /// A built-in scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {
-    /// `scenes/quick.toml`: under a minute per mesh on two cores without a graphics card, most of it for silhouette textures.
+    /// `scenes/quick.toml`: about a minute per mesh on two cores without a graphics card, most of it for silhouette textures.
     Quick,
     /// `scenes/full.toml`: a whole turn in large pictures.
     Full,

@@ -5,6 +5,7 @@ use super::model::{MethodSpec, OptionSpread, Scene};
 use crate::options::OptionSetting;
 use crate::registry::Registry;
 use silhouette_core::method::{OptionSpec, OptionValue};
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
 /// How many values a sweep has where nothing is said.
@@ -14,55 +15,70 @@ pub const DEFAULT_VALUES: usize = 5;
 pub const VALUES: RangeInclusive<usize> = 2..=64;
 
 impl Scene {
-    /// Adds cells for `N` values of an option, [`DEFAULT_VALUES`] where no number is given, to every cell of its method that the scene
-    /// lists. Each sweep varies one option and leaves the others: several sweeps add, where lists of [`set`](Self::set) multiply.
+    /// Adds cells for `N` values of each option that `texts` name, [`DEFAULT_VALUES`] where no number is given, to every cell of its
+    /// method that the scene lists. Each sweep varies one option and leaves the others: several sweeps add, where lists of
+    /// [`set`](Self::set) multiply.
     ///
     /// # Errors
-    /// [`SceneFault`]: the text is not of this form, the method is not compared, or the option has no sweep.
-    pub fn sweep(&mut self, text: &str, registry: &Registry) -> Result<(), SceneFault> {
-        let form = || SceneFault::SweepForm { text: text.to_owned() };
-        let (place, count) = text.split_once('=').map_or((text, None), |(place, count)| (place, Some(count)));
-        let count = count.map_or(Ok(DEFAULT_VALUES), |count| count.parse().map_err(|_| form()))?;
-        let (method, option) = place.split_once('.').ok_or_else(form)?;
-        if method.is_empty() || option.is_empty() || !VALUES.contains(&count) {
-            return Err(form());
+    /// [`SceneFault`]: a text is not of this form, a method is not compared, or an option has no sweep, or several values already.
+    pub fn sweep(&mut self, texts: &[String], registry: &Registry) -> Result<(), SceneFault> {
+        if texts.is_empty() {
+            return Ok(());
         }
         self.list_methods(registry);
-        let specs = registry.find(method)?.info().options;
-        let not_compared = || SceneFault::NotCompared { method: method.to_owned(), option: option.to_owned() };
-        let last = self.methods.iter().rposition(|spec| spec.name == method).ok_or_else(not_compared)?;
-        let spec = specs.iter().find(|spec| spec.name == option && spec.sweep.is_some());
-        let spec = spec.ok_or_else(|| SceneFault::NoSweep {
-            method: method.to_owned(),
-            option: option.to_owned(),
-            known: specs.iter().filter(|spec| spec.sweep.is_some()).map(|spec| spec.name).collect(),
-        })?;
-        let is_varied = |cell: &MethodSpec| matches!(cell.options.get(option), Some(OptionSpread::Several(_)));
-        if self.methods.iter().any(|cell| cell.name == method && is_varied(cell)) {
-            return Err(SceneFault::SweptTwice { method: method.to_owned(), option: option.to_owned() });
+        // Every sweep is about the cells that are there now, not about those of other sweeps.
+        let listed = self.methods.clone();
+        let mut seen = BTreeSet::new();
+        for text in texts {
+            let (method, spec, count) = parse(text, registry, &listed)?;
+            let of_method = || listed.iter().filter(|cell| cell.name == method);
+            let is_varied = |cell: &MethodSpec| matches!(cell.options.get(spec.name), Some(OptionSpread::Several(_)));
+            if !seen.insert((method, spec.name)) || of_method().any(is_varied) {
+                return Err(SceneFault::SweptTwice { method: method.to_owned(), option: spec.name.to_owned() });
+            }
+            let last =
+                self.methods.iter().rposition(|cell| cell.name == method).map_or(self.methods.len(), |last| last + 1);
+            self.methods.splice(last..last, of_method().filter_map(|cell| swept(cell, spec, count)));
         }
-        let swept = |cell: &MethodSpec| swept(cell, specs, spec, count);
-        let added: Vec<MethodSpec> = self.methods.iter().filter(|cell| cell.name == method).filter_map(swept).collect();
-        self.methods.splice(last + 1..last + 1, added);
         Ok(())
     }
 }
 
-/// A method with the values of a sweep that it does not have; `None` where there are none, and for the cells of another sweep, which are
-/// known by a list of values without the default.
-fn swept(cell: &MethodSpec, specs: &[OptionSpec], spec: &'static OptionSpec, count: usize) -> Option<MethodSpec> {
-    let present = match cell.options.get(spec.name) {
-        Some(OptionSpread::Several(_)) => return None,
-        Some(OptionSpread::One(value)) => value.clone(),
-        None => setting(spec.default_value()),
-    };
-    let is_of_sweep = |other: &OptionSpec| match cell.options.get(other.name) {
-        Some(OptionSpread::Several(values)) => !values.contains(&setting(other.default_value())),
-        _ => false,
+/// The method, the option and the number of values that a text names.
+fn parse<'a>(
+    text: &'a str,
+    registry: &Registry,
+    listed: &[MethodSpec],
+) -> Result<(&'a str, &'static OptionSpec, usize), SceneFault> {
+    let form = || SceneFault::SweepForm { text: text.to_owned() };
+    let (place, count) = text.split_once('=').map_or((text, None), |(place, count)| (place, Some(count)));
+    let count = count.map_or(Ok(DEFAULT_VALUES), |count| count.parse().map_err(|_| form()))?;
+    let (method, option) = place.split_once('.').ok_or_else(form)?;
+    if method.is_empty() || option.is_empty() || !VALUES.contains(&count) {
+        return Err(form());
+    }
+    let specs = registry.find(method)?.info().options;
+    if listed.iter().all(|cell| cell.name != method) {
+        return Err(SceneFault::NotCompared { method: method.to_owned(), option: option.to_owned() });
+    }
+    let spec = specs.iter().find(|spec| spec.name == option && spec.sweep.is_some());
+    let spec = spec.ok_or_else(|| SceneFault::NoSweep {
+        method: method.to_owned(),
+        option: option.to_owned(),
+        known: specs.iter().filter(|spec| spec.sweep.is_some()).map(|spec| spec.name).collect(),
+    })?;
+    Ok((method, spec, count))
+}
+
+/// A method with the values of a sweep that it does not have; `None` where there are none.
+fn swept(cell: &MethodSpec, spec: &'static OptionSpec, count: usize) -> Option<MethodSpec> {
+    let present = match cell.options.get(spec.name).map(OptionSpread::values) {
+        Some([value]) => value.clone(),
+        _ => setting(spec.default_value()),
     };
     let values: Vec<OptionSetting> =
         spec.sweep_values(count).into_iter().map(setting).filter(|value| *value != present).collect();
-    if values.is_empty() || specs.iter().any(|other| other.sweep.is_some() && is_of_sweep(other)) {
+    if values.is_empty() {
         return None;
     }
     let mut swept = cell.clone();
@@ -84,9 +100,8 @@ mod tests {
         let registry = Registry::builtin();
         let mut scene = Profile::Quick.scene();
         scene.select(&methods.iter().map(|&name| name.to_owned()).collect::<Vec<_>>());
-        for sweep in sweeps {
-            scene.sweep(sweep, &registry).map_err(|fault| fault.to_string())?;
-        }
+        let sweeps: Vec<String> = sweeps.iter().map(|&sweep| sweep.to_owned()).collect();
+        scene.sweep(&sweeps, &registry).map_err(|fault| fault.to_string())?;
         let choices = choices(&scene, &registry).map_err(|fault| fault.to_string())?;
         Ok(choices.iter().map(|choice| format!("{} {}", choice.entry.info().name, choice.options)).collect())
     }
@@ -120,11 +135,17 @@ mod tests {
         let registry = Registry::builtin();
         let mut scene = Profile::Quick.scene();
         scene.select(&["tracking".to_owned()]);
+        // Lists with the default and without it.
         scene.set("tracking.mesh=refuse,cut", &registry).unwrap();
-        scene.sweep("tracking.concavity=3", &registry).unwrap();
-        assert_eq!(choices(&scene, &registry).unwrap().len(), 6);
-        let twice = scene.sweep("tracking.concavity=2", &registry).unwrap_err().to_string();
+        scene.set("tracking.audit-share=0.2,0.3", &registry).unwrap();
+        scene.sweep(&["tracking.concavity=3".to_owned()], &registry).unwrap();
+        assert_eq!(choices(&scene, &registry).unwrap().len(), 12);
+        let twice = scene.sweep(&["tracking.concavity=2".to_owned()], &registry).unwrap_err().to_string();
         assert!(twice.contains("tracking.concavity has several values already"), "{twice}");
+        let both = ["tracking.concavity=2", "tracking.concavity=3"].map(str::to_owned);
+        let mut fresh = Profile::Quick.scene();
+        fresh.select(&["tracking".to_owned()]);
+        assert!(fresh.sweep(&both, &registry).unwrap_err().to_string().contains("several values already"));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! The value in the middle of the widest gap of any mesh is next. Gaps narrower than [`RESOLUTION`] are fine enough, and so are those
 //! whose ends are that close in the sweep: where the error jumps, halving would go on for ever.
 
-use crate::metrics::table::{Better, MetricSpec, PictureKind};
+use crate::metrics::table::{MetricSpec, PictureKind};
 use crate::options::OptionSettings;
 use crate::pareto::pareto_front;
 use crate::record::Cell;
@@ -93,10 +93,8 @@ fn groups(cells: &[Cell]) -> Vec<Vec<&Cell>> {
 
 /// Logarithm of time, and the error, lower the better.
 fn point(cell: &Cell, errors: &Errors) -> [f64; 2] {
-    let metric = errors.of(cell.picture);
-    let value = cell.mean_metrics().as_ref().and_then(metric.value).unwrap_or(f64::NAN);
-    let error = if metric.better == Better::Higher { -value } else { value };
-    [cell.frame.frame_ms.median.max(f64::MIN_POSITIVE).ln(), error]
+    let error = cell.mean_metrics().and_then(|metrics| errors.of(cell.picture).error(&metrics));
+    [cell.frame.frame_ms.median.max(f64::MIN_POSITIVE).ln(), error.unwrap_or(f64::NAN)]
 }
 
 /// The front of a group, and how far it extends.

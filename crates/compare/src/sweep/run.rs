@@ -43,6 +43,7 @@ pub fn run_shard(
     assert_eq!(store.key().cells(), config.methods().len() * subjects.len(), "the store is of another comparison");
     let run = RunDescription::of_this_process(gpu.adapter());
     let is_due = |cell: usize| shard.holds(cell) && !store.holds(cell);
+    // Where the scene asks for several passes, the first cell of a mesh has the time of them all.
     let mut start = Instant::now();
     run_cells(config, subjects, gpu, progress, &is_due, &mut |cell, outcome| {
         let took = start.elapsed();

@@ -238,11 +238,8 @@ impl CellStore {
                 remove_file(&path)?;
             }
         }
-        // What a process that was killed was writing.
         for entry in fs::read_dir(&self.folder).map_err(at(&self.folder))?.flatten() {
-            if is_part(&entry.file_name()) {
-                remove_file(&entry.path())?;
-            } else if entry.file_name().to_str().is_some_and(|name| name.starts_with(NESTED)) {
+            if entry.file_name().to_str().is_some_and(|name| name.starts_with(NESTED)) {
                 match Self::existing(&entry.path()) {
                     // Of a process that was killed before it wrote what the directory is for.
                     Err(StoreError::NotOurs { .. }) => remove_unfinished(&entry.path())?,
@@ -251,10 +248,7 @@ impl CellStore {
             }
         }
         remove_file(&self.folder.join(KEY))?;
-        match fs::remove_dir(&self.folder) {
-            Err(error) if error.kind() != io::ErrorKind::DirectoryNotEmpty => Err(at(&self.folder)(error)),
-            _ => Ok(()),
-        }
+        remove_unfinished(&self.folder)
     }
 
     fn pictures(&self, index: usize, cell: &Cell, frame: u32) -> Result<PictureSet, StoreError> {
@@ -297,7 +291,7 @@ fn read_key(folder: &Path) -> Result<Key, StoreError> {
     serde_json::from_slice(&text).map_err(damaged)
 }
 
-/// Removes a directory of which nothing but its beginning was written.
+/// Removes what a process that was killed was writing, and the directory where nothing else is in it.
 fn remove_unfinished(folder: &Path) -> Result<(), StoreError> {
     for entry in fs::read_dir(folder).map_err(at(folder))?.flatten() {
         if is_part(&entry.file_name()) {
