@@ -25,6 +25,14 @@ pub fn run(arguments: &MethodsArguments, registry: &Registry) -> Result<(), Fail
     Output::Stdout.write(text.as_bytes())
 }
 
+/// Has every option take a number below 0 for its value, and not for another option: what refuses it then says what fits.
+fn with_numbers_below_0(command: clap::Command) -> clap::Command {
+    command.mut_args(|argument| {
+        let takes_values = argument.get_long().is_some() && argument.get_action().takes_values();
+        if takes_values { argument.allow_negative_numbers(true) } else { argument }
+    })
+}
+
 /// The command line with the names of this registry's methods where one is asked for.
 pub fn command(registry: &Registry) -> clap::Command {
     let names = |is_wanted: fn(Capabilities) -> bool| registry.names(|entry| is_wanted(entry.capabilities()));
@@ -35,6 +43,7 @@ pub fn command(registry: &Registry) -> clap::Command {
         })
     };
     Arguments::command()
+        .mut_subcommands(with_numbers_below_0)
         .mut_subcommand("extract", |command| with_names(command, "method", names(|can| can.edges || can.curves)))
         .mut_subcommand("render", |command| {
             with_names(command, "method", names(|can| can.edges || can.lines || can.fill))
@@ -114,6 +123,26 @@ mod tests {
             let methods = &help[help.find("silhouettes methods").map_or(0, |at| at.saturating_sub(600))..];
             assert!(methods.contains(known), "{name}: {help}");
             assert!(!help.contains(&format!(", {foreign}")), "{name}: {help}");
+        }
+    }
+
+    #[test]
+    fn a_number_below_0_is_taken_for_a_value_and_refused_by_what_fits() {
+        let refused = |words: &[&str]| {
+            let words = ["silhouettes"].iter().chain(words);
+            let error = command(&Registry::builtin()).try_get_matches_from(words).unwrap_err();
+            match crate::failure::usage(&error) {
+                Failure::Input(line) => line,
+                other => panic!("{other:?}"),
+            }
+        };
+        for (words, expected) in [
+            (["lines", "builtin:cube", "--ortho", "-1"], "a height above 0"),
+            (["lines", "builtin:cube", "--fov", "-1"], "--fov"),
+            (["compare", "-oreport", "--budget", "-1"], "seconds above 0"),
+        ] {
+            let line = refused(&words);
+            assert!(line.contains(expected) && !line.contains("-- -1"), "{line}");
         }
     }
 }
