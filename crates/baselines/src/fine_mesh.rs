@@ -48,6 +48,7 @@ impl Method for FineMesh {
             choose_when: "you need the baseline that filled images are compared with",
             limits: "a coarse mesh shows its corners",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -79,6 +79,7 @@ impl Method for LodMesh {
             choose_when: "most views are far away, and you want what engines do: fewer triangles there",
             limits: "near by it draws the mesh as it is: no smoother, no faster",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -16,11 +16,13 @@
 
 mod guide;
 mod options;
+mod published;
 mod sweep;
 mod typed_options;
 
 pub use guide::MethodGuide;
 pub use options::{OptionError, OptionKind, OptionSpec, OptionValue, OptionValues};
+pub use published::{PublishedRate, PublishedRates};
 pub use sweep::Sweep;
 pub use typed_options::{MethodOptions, NoOptions, OptionChoice, OptionField};
 
@@ -65,6 +67,8 @@ pub struct MethodInfo {
     pub options: &'static [OptionSpec],
     /// What a reader needs in order to choose it.
     pub guide: MethodGuide,
+    /// Tables of frame rates that its publication prints and that a comparison sets its own beside; most print none.
+    pub published: &'static [PublishedRates],
 }
 
 /// Why a method cannot be prepared for a mesh.

@@ -65,6 +65,7 @@ impl Method for EdgeMesh {
             limits: "wide lines have the depth of their edge and may float before a surface that curves away; a \
                      moving mesh is judged in 32 bits; translucent lines darken each other where they overlap",
         },
+        published: &[],
     };
 
     /// O(E) beyond the topology, parallel.

@@ -55,6 +55,7 @@ impl Method for BruteForce {
             choose_when: "you want the plainest code that is right: the oracle of all others",
             limits: "evaluates every face in every view, on one thread",
         },
+        published: &[],
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

@@ -78,6 +78,7 @@ impl Method for BruteForceSimd {
                           kernels -- moving`), if its topology can be tracked",
             limits: "evaluates every face in every view: time grows with the mesh, however short its silhouette is",
         },
+        published: &[],
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

@@ -80,6 +80,7 @@ impl Method for ClusterCones {
             limits: "gains nothing on scans, where many clusters hold both facings; does not follow a mesh that \
                      moves",
         },
+        published: &[],
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

@@ -84,6 +84,7 @@ impl Method for Randomized {
             limits: "misses small loops; probes are a share of the edges by default, so that its time grows with the \
                      mesh",
         },
+        published: &[],
     };
 
     fn prepare(

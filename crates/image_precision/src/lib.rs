@@ -90,6 +90,7 @@ pub mod options;
 #[cfg(feature = "gpu")]
 mod pipelines;
 mod polygons;
+mod published;
 #[cfg(feature = "gpu")]
 mod renderer;
 pub mod scale;

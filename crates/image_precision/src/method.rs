@@ -3,6 +3,7 @@
 use crate::feature_edges::feature_edges;
 use crate::options::ImagePrecisionOptions;
 use crate::polygons::Polygons;
+use crate::published::PUBLISHED;
 use crate::settings::{ExtraEdges, Settings};
 use silhouette_core::Topology;
 use silhouette_core::method::{Method, MethodGuide, MethodInfo, MethodOptions, PrepareError, Source};
@@ -48,6 +49,7 @@ impl Method for ImagePrecision {
                      topology; lines between parts of a pixel or two turn grey; where four faces share an edge a \
                      silhouette edge may be dropped",
         },
+        published: PUBLISHED,
     };
 
     fn prepare(

@@ -86,6 +86,7 @@ impl Method for AdaptiveRefinement {
             choose_when: "the outline of `pn-triangles` is wanted with fewer triangles, made anew for each view",
             limits: "the processor works and uploads in every view; trusts normals, as `pn-triangles` does",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -85,6 +85,7 @@ impl Method for BoundaryCurve {
             choose_when: "you compare smoothing with what came before it",
             limits: "gains little, and on some simplified scans has a worse outline than the mesh",
         },
+        published: &[],
     };
 
     fn prepare(

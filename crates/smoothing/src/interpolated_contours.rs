@@ -78,6 +78,7 @@ impl Method for InterpolatedContours {
             limits: "near the eye its error is above that of the mesh's own edges; curves that lie on faces which face away \
                      are hidden by the mesh itself",
         },
+        published: &[],
     };
 
     fn prepare(

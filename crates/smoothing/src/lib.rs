@@ -56,6 +56,7 @@ pub mod feature_segments;
 pub mod hermite;
 pub mod options;
 pub mod perturbation;
+mod published;
 pub mod remeshing;
 pub mod sampling;
 pub mod shading_mesh;

@@ -71,6 +71,7 @@ impl Method for PhongTessellation {
             choose_when: "as `pn-triangles`, where the simplest evaluation counts more than the shape",
             limits: "as `pn-triangles`, whose outline was closer on five of eight meshes",
         },
+        published: &[],
     };
 
     fn prepare(

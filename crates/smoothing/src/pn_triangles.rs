@@ -70,6 +70,7 @@ impl Method for PnTriangles {
             limits: "draws as many triangles away from the silhouette as along it; trusts normals, so that it gains \
                      little on simplified scans",
         },
+        published: &[],
     };
 
     fn prepare(

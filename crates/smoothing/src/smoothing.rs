@@ -8,6 +8,7 @@ use crate::feature_samples::FeatureSamples;
 use crate::feature_segments::FeatureSegments;
 use crate::options::SmoothingOptions;
 use crate::perturbation::{Perturbation, Perturber};
+use crate::published::PUBLISHED;
 use crate::remeshing::{Curves, LocalRemeshing};
 use crate::sampling::segments;
 use crate::shading_mesh::ShadingMesh;
@@ -74,6 +75,7 @@ impl Method for Smoothing {
             limits: "gains little on simplified scans, whose normals are guesses, and loses on some; silhouettes \
                      that lie within one face are missed; rounded valleys may be taken for smooth curves",
         },
+        published: PUBLISHED,
     };
 
     fn prepare(

@@ -5,6 +5,7 @@
 mod normal_map_hull;
 mod options;
 mod pipelines;
+mod published;
 mod texture;
 mod texture_lines;
 mod textures;

@@ -75,6 +75,7 @@ pub mod identity;
 mod method;
 mod options;
 mod plane_test;
+mod published;
 mod refuse;
 mod scene;
 mod single_edge;

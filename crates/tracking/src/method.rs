@@ -3,6 +3,7 @@
 use crate::concave_edges::TrackedEdges;
 use crate::connectivity_table::ConnectivityTable;
 use crate::options::{Accuracy, TrackerOptions, TrackingOptions};
+use crate::published::PUBLISHED;
 use crate::refuse::RefusedByMethod;
 use crate::tracker::Tracker;
 use silhouette_core::glam::Vec3;
@@ -75,6 +76,7 @@ impl Method for Tracking {
             limits: "the same level misses more of a finer mesh; non-manifold edges and inconsistent winding are \
                      refused, or cut by `mesh=cut`; after a jump it starts by brute force",
         },
+        published: PUBLISHED,
     };
 
     fn prepare(
@@ -155,6 +157,7 @@ impl Method for ExactTracking {
             limits: "non-manifold edges and inconsistent winding are refused; at a million faces each face that is \
                      due is a miss of the cache, and `cluster-cones` is faster",
         },
+        published: &[],
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

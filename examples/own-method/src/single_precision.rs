@@ -32,6 +32,7 @@ impl Method for SinglePrecision {
             choose_when: "you want to see how a method is added",
             limits: "wrong where a plane passes the viewpoint closer than rounding",
         },
+        published: &[],
     };
 
     fn prepare(mesh: &Arc<PreparedMesh>, _options: &NoOptions, progress: &dyn Progress) -> Result<Self, PrepareError> {

@@ -86,6 +86,7 @@ impl Method for GbufferFilter {
             choose_when: "depth and normals of the frame are there anyway, and steps below a threshold may be missed",
             limits: "steps in depth below a threshold have no line; smooth folds may get one",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -83,6 +83,7 @@ impl Method for InvertedHull {
             limits: "flat open meshes have no lines; of closed models it missed 13 to 23 % of the lines inside of \
                      the outline",
         },
+        published: &[],
     };
 
     fn prepare(

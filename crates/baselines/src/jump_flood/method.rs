@@ -68,6 +68,7 @@ impl Method for JumpFlood {
             choose_when: "objects are to stand out by outlines of any width, which stay apart where objects overlap",
             limits: "no lines inside of the outline",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -4,6 +4,8 @@
 //! 2. Those of them that are still in the race in some more views, the fastest first.
 //! 3. Options at the values of their sweeps, those of fast methods first, until the race's share of the time is spent.
 //! 4. Methods whose preparation was broken off, with more time for it.
+//! 5. While nobody keeps the limits, and so there is nobody to examine, the options that are left, in the time that was the
+//!    examinations'.
 //!
 //! A candidate is dropped by another that errs no more and is at least twice as fast, or where it misses a limit by that
 //! factor while another keeps to both: single frames vary by less, on a machine that is not overloaded.
@@ -22,6 +24,9 @@ const METHODS_END: f64 = 0.5;
 
 /// Share of that time after which no other option is tried.
 const SWEEPS_END: f64 = 0.35;
+
+/// Share of that time up to which options are tried while nobody keeps the limits; the rest is for examining one that does after all.
+const SEARCH_END: f64 = 0.75;
 
 /// Share of the calibration's time that one preparation may take at first: half a second of 20.
 const PREPARATION: f64 = 0.025;
@@ -89,12 +94,17 @@ pub fn race<M: Meter>(
     // A method whose defaults refuse the mesh or take too long to prepare is not tried with other options.
     sweeps.retain(|&candidate| race.default_of(candidate).is_some());
     race.sort_by_time(&mut sweeps, Race::default_of);
-    for candidate in sweeps {
+    for &candidate in &sweeps {
         race.enter(candidate, VIEWS, PREPARATION, SWEEPS_END)?;
     }
     for &candidate in &defaults {
         if race.measurer.page(candidate).too_slow_s.is_some() {
             race.enter(candidate, VIEWS, LONG_PREPARATION, METHODS_END)?;
+        }
+    }
+    for candidate in sweeps {
+        if !race.is_anybody_kept() {
+            race.enter(candidate, VIEWS, PREPARATION, SEARCH_END)?;
         }
     }
     let mut standings: Vec<Standing> = race.standings.into_iter().flatten().collect();
@@ -131,13 +141,18 @@ impl<M: Meter> Race<'_, '_, M> {
         Ok(())
     }
 
+    /// Whether somebody keeps the limits.
+    fn is_anybody_kept(&self) -> bool {
+        self.standings.iter().flatten().any(|standing| self.request.is_kept(standing.ms, standing.error))
+    }
+
     fn is_dropped(&self, standing: &Standing) -> bool {
         let others = || self.standings.iter().flatten();
         let is_beaten = others().any(|other| other.error <= standing.error && other.ms * MARGIN <= standing.ms);
         let Request { limit, max_ms, .. } = self.request;
         let is_late = max_ms.is_some_and(|max_ms| standing.ms > MARGIN * max_ms);
         let is_beyond = is_late || standing.error > MARGIN * limit.max;
-        is_beaten || is_beyond && others().any(|other| self.request.is_kept(other.ms, other.error))
+        is_beaten || is_beyond && self.is_anybody_kept()
     }
 
     /// Where the method of a candidate stands with its default options.

@@ -262,6 +262,25 @@ fn the_calibration_keeps_to_its_time_and_says_what_it_left_out() {
 }
 
 #[test]
+fn the_time_of_examinations_goes_to_the_options_while_nobody_keeps_the_limits() {
+    let candidates = candidates(Goal::Loops, &Registry::builtin());
+    let last = candidates.iter().rposition(|candidate| candidate.changed.is_some()).unwrap();
+    // All views of the race take 0.7 of the time. Who does not keep the limits is near enough not to be dropped.
+    let measured = |kept: &[usize]| {
+        let error = |candidate| if kept.contains(&candidate) { 0.1 } else { 0.3 };
+        let truths: Vec<Truth> = (0..candidates.len()).map(|candidate| Truth::new(1.0, error(candidate))).collect();
+        let view_s = 20.0 * 0.7 / (race::VIEWS as usize * candidates.len()) as f64;
+        let mut meter = Simulated { view_s, ..Simulated::new(&truths) };
+        let mut notebook = Notebook::default().arranged(&candidates);
+        let found = recommend(&mut Measurer::new(&mut meter, &mut notebook), &request(0.2, None), &candidates).unwrap();
+        assert!(found.seconds <= 20.0 + 2.0 * view_s, "{}", found.seconds);
+        (number(found.chosen.as_ref()), found.measured.iter().any(|finding| finding.candidate == last))
+    };
+    assert_eq!(measured(&[last]), (Some(last), true));
+    assert_eq!(measured(&[0]), (Some(0), false), "where the first keeps them, it is examined instead");
+}
+
+#[test]
 fn a_question_asked_again_is_answered_alike_from_the_notebook() {
     let truths = [Truth::new(1.0, 0.3), Truth::new(2.0, 0.1), Truth::new(3.0, 0.02)];
     let candidates = named(3);

@@ -1,7 +1,8 @@
 //! The evidence for each method: what it drew in its worst view, where it errs, what its frames consist of, what it built, and
-//! its limits. Methods that drew the same pictures share them.
+//! its limits, and what its publication prints. Methods that drew the same pictures share them.
 
 use super::pictures::PictureFiles;
+use super::published;
 use super::sphere_map;
 use super::summary::CellSummary;
 use super::tables::{edges_found, who};
@@ -114,6 +115,7 @@ fn member(comparison: &Comparison, summary: &CellSummary<'_>) -> Value {
         artefacts => artefacts.collect::<Vec<_>>(),
         bytes => grouped(prepare.bytes as usize),
         limits => limits(comparison, summary, entry),
+        published => entry.map(|entry| published::tables(entry.info().published, &comparison.cells, summary)),
     }
 }
 

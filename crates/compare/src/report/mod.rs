@@ -19,6 +19,7 @@ mod extraction_chart;
 mod measure;
 mod page;
 mod pictures;
+mod published;
 mod sphere_map;
 mod summary;
 mod tables;

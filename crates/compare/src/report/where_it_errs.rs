@@ -85,9 +85,12 @@ fn inside(errors: &LineErrors) -> String {
     }
 }
 
-/// `54.0 % of the true length, all inside of the outline (54.0 % along boundary edges)`; nothing where it is too little to be worth a word.
+/// `54.0 % of the true length, all inside of the outline, all of it along boundary edges`, or with each share where there are several causes; nothing where it is too little to be worth a word.
 fn parts(whole: f64, length: f64, inside: &str, causes: &[(f64, &str)]) -> Option<String> {
     let is_worth_saying = |length: f64| length / whole >= WORTH_SAYING;
+    if let Some((_, cause)) = causes.iter().find(|(part, _)| is_worth_saying(length) && *part >= 0.995 * length) {
+        return Some(format!("{} of the true length{inside}, all of it {cause}", shown(length / whole)));
+    }
     let named = causes.iter().filter(|(length, _)| is_worth_saying(*length));
     let named: Vec<String> = named.map(|(length, cause)| format!("{} {cause}", shown(length / whole))).collect();
     let causes = if named.is_empty() { String::new() } else { format!(" ({})", named.join(", ")) };
@@ -118,7 +121,7 @@ mod tests {
 
     #[test]
     fn a_limit_is_named_as_such() {
-        assert_eq!(sentence(&errors()), "Misses 50.0 % of the true length (50.0 % along boundary edges).");
+        assert_eq!(sentence(&errors()), "Misses 50.0 % of the true length, all of it along boundary edges.");
         let more = LineErrors {
             missed_silhouette_px: 10.0,
             missed_small_faces_px: 10.0,
@@ -130,10 +133,13 @@ mod tests {
         assert_eq!(
             sentence(&more),
             "Misses 51.0 % of the true length, 40.0 % inside of the outline (50.0 % along boundary edges, 1.0 % where faces \
-             are below a pixel). Spurious ink amounts to 2.0 % of the true length (2.0 % without a known cause)."
+             are below a pixel). Spurious ink amounts to 2.0 % of the true length, all of it without a known cause."
         );
         let inner = LineErrors { missed_inner_px: Some(500.0), ..errors() };
-        assert!(sentence(&inner).starts_with("Misses 50.0 % of the true length, all inside of the outline (50.0 %"));
+        assert!(
+            sentence(&inner)
+                .starts_with("Misses 50.0 % of the true length, all inside of the outline, all of it along")
+        );
         let nothing = LineErrors { true_crease_px: 9.0, ..LineErrors::default() };
         assert_eq!(
             (sentence(&nothing), sentence(&LineErrors::default())),

@@ -29,6 +29,12 @@ pub struct CellStore {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StoreError {
+    /// Nothing is there.
+    #[error("{}: there is no such folder; name one that `compare --shard` wrote", path.display())]
+    Missing {
+        /// The directory.
+        path: PathBuf,
+    },
     /// Something else is there.
     #[error("{}: exists and holds no cells of a comparison; name another directory", path.display())]
     NotOurs {
@@ -284,6 +290,9 @@ fn read_key(folder: &Path) -> Result<Key, StoreError> {
     let text = match fs::read(&path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound && folder.is_dir() => {
             return Err(StoreError::NotOurs { path: folder.to_owned() });
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            return Err(StoreError::Missing { path: folder.to_owned() });
         }
         other => other.map_err(at(&path))?,
     };

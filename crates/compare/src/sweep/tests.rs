@@ -115,6 +115,7 @@ fn a_folder_of_something_else_is_refused_and_stays() {
     std::fs::write(folder.path().join("photo.jpg"), "mine").unwrap();
     assert!(matches!(CellStore::open(folder.path(), key("cube")), Err(StoreError::NotOurs { .. })));
     assert!(matches!(CellStore::existing(folder.path()), Err(StoreError::NotOurs { .. })));
+    assert!(matches!(CellStore::existing(&folder.path().join("none")), Err(StoreError::Missing { .. })));
     assert_eq!(folder.path().read_dir().unwrap().count(), 1);
 
     let kept = tempfile::tempdir().unwrap();

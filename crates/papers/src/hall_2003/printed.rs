@@ -59,6 +59,8 @@ pub fn model_of(faces: usize) -> Option<&'static PaperModel> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use silhouette_core::method::Method;
+    use silhouette_tracking::Tracking;
 
     #[test]
     fn printed_speed_ups_are_the_ratios_of_the_printed_rates() {
@@ -75,5 +77,12 @@ mod tests {
         assert_eq!(model_of(69_451).map(|model| model.name), Some("Bunny"));
         assert_eq!(model_of(69_666), None);
         assert_eq!(model_of(19_608), None, "no other model is known by a count that any mesh may have");
+    }
+
+    #[test]
+    fn reports_show_the_same_rates() {
+        let printed = [BUNNY].iter().chain(&OTHERS).flat_map(|model| model.fps.map(|fps| (fps, model.brute_force_fps)));
+        let shown = Tracking::INFO.published.iter().flat_map(|rates| rates.rows).map(|row| (row.fps, row.against_fps));
+        assert_eq!(shown.collect::<Vec<_>>(), printed.collect::<Vec<_>>());
     }
 }

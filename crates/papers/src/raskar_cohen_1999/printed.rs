@@ -1,4 +1,5 @@
-//! What the paper prints in section 5: frames per second on an SGI InfiniteReality.
+//! What the paper prints in section 5: frames per second, of Venus and Face on an SGI Indigo2 with MaxImpact graphics, of the machine
+//! room on an InfiniteReality.
 
 /// One row of the paper: a model drawn by one variant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,11 +56,21 @@ const fn venus(variant: &'static str, fps: f64) -> PaperRow {
 mod tests {
     use super::super::variants::VARIANTS;
     use super::*;
+    use silhouette_core::method::Method;
+    use silhouette_image_precision::ImagePrecision;
 
     #[test]
     fn rates_kept_are_shares_and_variants_exist() {
         let kept = ROWS.map(|row| (row.rate_kept() * 1000.0).round() as u32);
         assert_eq!(kept, [606, 758, 174, 167, 700]);
         assert!(ROWS.iter().all(|row| VARIANTS.iter().any(|variant| variant.label == row.variant)));
+    }
+
+    #[test]
+    fn reports_show_the_same_rates() {
+        let printed = ROWS.map(|row| (row.fps, row.plain_fps));
+        let shown =
+            ImagePrecision::INFO.published.iter().flat_map(|rates| rates.rows).map(|row| (row.fps, row.against_fps));
+        assert_eq!(shown.collect::<Vec<_>>(), printed);
     }
 }

@@ -105,7 +105,7 @@ fn performance(adapter: &str, meshes: &[MeshResult]) -> Table {
         let ours = mesh.and_then(|mesh| rate_kept(mesh, row.variant));
         let why = format!(
             "the models are not available, built-in meshes with as many triangles stand in for them; {adapter} draws \
-             instead of an InfiniteReality"
+             instead of SGI graphics of 1999"
         );
         let note = match ours {
             Some(_) => format!("{} stands in for {}", row.stand_in, row.model),
@@ -257,7 +257,8 @@ mod tests {
         for figure in printed {
             let is_venus = figure.row.starts_with("Venus");
             assert_eq!((figure.ours, figure.comparable, figure.ratio), (is_venus.then_some(0.5), false, None));
-            let reason = if is_venus { "an adapter draws instead of an InfiniteReality" } else { "not measured: name" };
+            let reason =
+                if is_venus { "an adapter draws instead of SGI graphics of 1999" } else { "not measured: name" };
             assert!(figure.note.contains(reason), "{figure:?}");
         }
     }

@@ -84,6 +84,8 @@ pub fn row_of(model: &str) -> Option<&'static PaperRow> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use silhouette_core::method::Method;
+    use silhouette_smoothing::Smoothing;
 
     #[test]
     fn levels_count_inserted_points_and_growth_is_as_the_text_says() {
@@ -92,5 +94,12 @@ mod tests {
             assert!((1.19..1.98).contains(&row.growth()), "{}: {}", row.model, row.growth());
             assert!((1.4..3.1).contains(&(row.fps.orthographic / row.fps.pn)), "30 % to over 200 % faster");
         }
+    }
+
+    #[test]
+    fn reports_show_the_same_rates() {
+        let printed = ROWS.map(|row| (row.fps.perspective, row.fps.pn));
+        let shown = Smoothing::INFO.published.iter().flat_map(|rates| rates.rows).map(|row| (row.fps, row.against_fps));
+        assert_eq!(shown.collect::<Vec<_>>(), printed);
     }
 }

@@ -66,6 +66,8 @@ pub const COARSEST_HULL: u32 = 22;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use silhouette_core::method::Method;
+    use silhouette_texture::Texture;
 
     #[test]
     fn speed_ups_are_those_of_the_text() {
@@ -73,5 +75,12 @@ mod tests {
         assert!((1.2..1.3).contains(&speed_ups[3]) && (181.0..183.0).contains(&speed_ups[4]), "{speed_ups:?}");
         let bytes = SIDE * SIDE * TERMS[0].0 + TERMS[0].0 * AZIMUTHS;
         assert_eq!((SIDE * SIDE * AZIMUTHS, bytes), (16 << 20, 4_195_328));
+    }
+
+    #[test]
+    fn reports_show_the_same_rates() {
+        let printed = ROWS.map(|row| (row.texture_fps, row.mesh_fps));
+        let shown = Texture::INFO.published.iter().flat_map(|rates| rates.rows).map(|row| (row.fps, row.against_fps));
+        assert_eq!(shown.collect::<Vec<_>>(), printed);
     }
 }

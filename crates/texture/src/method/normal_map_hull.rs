@@ -55,6 +55,7 @@ impl Method for NormalMapHull {
             choose_when: "you compare `texture` with what it improves on",
             limits: "every outline is that of the coarse hull",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -2,6 +2,7 @@
 
 use super::options::texture_options;
 use super::pipelines::MethodPipelines;
+use super::published::PUBLISHED;
 use super::textures::Textures;
 use crate::gpu::{Drawing, Edge, Shading, TextureRenderer, TextureStyle};
 use crate::silhouette_texture::SilhouetteTexture;
@@ -67,6 +68,7 @@ impl Method for Texture {
             limits: "holes open between thin parts that stand before each other; outlines swim by about a thousandth \
                      of the picture's height while the view changes; does not follow a mesh that moves",
         },
+        published: PUBLISHED,
     };
 
     fn prepare(

@@ -53,6 +53,7 @@ impl Method for TextureLines {
             choose_when: "you draw `texture` and want its outlines as lines",
             limits: "as `texture`; loses many of the loops inside of the outline",
         },
+        published: &[],
     };
 
     fn prepare(

@@ -1,6 +1,6 @@
 //! Step 2: what is drawn and stroked.
 //!
-//! Of all properties, those by which a stroke leaves ink or does not: `stroke`, `stroke-width`, `stroke-opacity`, `stroke-dasharray`,
+//! Of all properties, those by which a stroke leaves ink or does not: `stroke`, `color`, `stroke-width`, `stroke-opacity`, `stroke-dasharray`,
 //! `display`, `visibility` and `opacity`, and whether there are `clip-path` and `mask`. They come from attributes, then from style sheets, then from `style`; what is `!important` in a
 //! style sheet stays.
 
@@ -21,6 +21,8 @@ pub struct Style {
     is_visible: bool,
     is_opaque: bool,
     stroke: Stroke,
+    /// What `currentColor` stands for.
+    color: Stroke,
     has_opaque_stroke: bool,
     has_width: bool,
     /// Whether it is clipped or masked itself.
@@ -34,6 +36,8 @@ enum Stroke {
     None,
     Paper,
     Ink,
+    /// As [`Style::color`] says, which may be set after it.
+    CurrentColor,
 }
 
 impl Default for Style {
@@ -43,6 +47,7 @@ impl Default for Style {
             is_visible: true,
             is_opaque: true,
             stroke: Stroke::None,
+            color: Stroke::Ink,
             has_opaque_stroke: true,
             has_width: true,
             is_clipped: false,
@@ -54,12 +59,16 @@ impl Default for Style {
 impl Style {
     /// Whether its stroke leaves ink.
     pub fn leaves_ink(&self) -> bool {
-        self.is_stroked() && self.stroke == Stroke::Ink
+        self.is_stroked() && self.stroke() == Stroke::Ink
     }
 
     /// Whether its stroke is as white as the paper.
     pub fn is_paper(&self) -> bool {
-        self.is_stroked() && self.stroke == Stroke::Paper
+        self.is_stroked() && self.stroke() == Stroke::Paper
+    }
+
+    fn stroke(&self) -> Stroke {
+        if self.stroke == Stroke::CurrentColor { self.color } else { self.stroke }
     }
 
     fn is_stroked(&self) -> bool {
@@ -73,6 +82,8 @@ impl Style {
         }
         match name {
             "stroke" => self.stroke = stroke(value),
+            // The colour of an element whose colour is its own current one is that of what holds it.
+            "color" if stroke(value) != Stroke::CurrentColor => self.color = stroke(value),
             "stroke-width" => self.has_width = value.bytes().any(|byte| (b'1'..=b'9').contains(&byte)),
             "clip-path" | "mask" => self.is_clipped |= value != "none",
             "stroke-opacity" => self.has_opaque_stroke = is_above_zero(value),
@@ -92,6 +103,7 @@ fn is_above_zero(value: &str) -> bool {
 fn stroke(value: &str) -> Stroke {
     match Paint::from_str(value) {
         Ok(Paint::None) => Stroke::None,
+        Ok(Paint::CurrentColor) => Stroke::CurrentColor,
         Ok(Paint::Color(Color { alpha: 0, .. })) => Stroke::None,
         Ok(Paint::Color(Color { red: 255, green: 255, blue: 255, .. })) => Stroke::Paper,
         _ => Stroke::Ink,

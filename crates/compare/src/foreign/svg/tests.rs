@@ -104,6 +104,8 @@ fn only_what_is_stroked_and_shown_is_drawn() {
         "stroke='black' stroke-width='0.0'",
         "stroke='white'",
         "stroke='#fff'",
+        "stroke='currentColor' color='white'",
+        "color='#fff' style='stroke: currentColor'",
     ] {
         assert_eq!(count(line(hidden)), 0, "{hidden}");
     }
@@ -112,6 +114,11 @@ fn only_what_is_stroked_and_shown_is_drawn() {
     {
         assert_eq!(count(line(shown)), 1, "{shown}");
     }
+    let held = |outer: &str, inner: &str| count(format!("<g {outer}>{}</g>", line(inner)));
+    assert_eq!(held("color='white' stroke='currentColor'", ""), 0);
+    assert_eq!(held("color='white'", "stroke='currentColor' color='currentColor'"), 0);
+    assert_eq!(held("color='white' stroke='currentColor'", "color='red'"), 1);
+    assert_eq!(held("", "stroke='currentColor'"), 1);
     assert_eq!(count(format!("<g display='none'><g stroke='black'>{}</g></g>", line(""))), 0);
     assert_eq!(count(format!("<defs>{0}</defs><clipPath>{0}</clipPath><mask>{0}</mask>", line("stroke='red'"))), 0);
     let sheet = "<style>.pen { stroke: #000 } g.off > line { display: none } #a { stroke: none !important }</style>";
