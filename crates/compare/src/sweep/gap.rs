@@ -2,10 +2,12 @@
 //!
 //! Each mesh has its own front of time and error, and each kind of picture. Two cells of a method that differ in one swept option
 //! alone, and next to each other in it, bound a *gap*. Its width is the distance of the two in a chart whose axes, the logarithm of time
-//! and the error, run over the front; gaps of which neither end is in the front, nor becomes so by what could lie between, do not count.
+//! and the error, run over the front; times whose intervals overlap are as good as equal, while errors are the same however often they are
+//! measured. Gaps of which neither end is in the front, nor becomes so by what could lie between, do not count.
 //! The value in the middle of the widest gap of any mesh is next. Gaps narrower than [`RESOLUTION`] are fine enough, and so are those
 //! whose ends are that close in the sweep: where the error jumps, halving would go on for ever.
 
+use crate::interval;
 use crate::metrics::table::{MetricSpec, PictureKind};
 use crate::options::OptionSettings;
 use crate::pareto::pareto_front;
@@ -52,7 +54,8 @@ pub fn next(cells: &[Cell], errors: &Errors, registry: &Registry) -> Option<Cand
     let mut widest: Option<Candidate> = None;
     for group in groups(cells) {
         let points: Vec<[f64; 2]> = group.iter().map(|cell| point(cell, errors)).collect();
-        let chart = Chart::of(&points);
+        let times: Vec<[f64; 2]> = group.iter().map(|cell| cell.frame.frame_ms.interval).collect();
+        let chart = Chart::of(&points, &times);
         for (at, cell) in group.iter().enumerate() {
             let Ok(entry) = registry.find(&cell.method) else { continue };
             for spec in entry.info().options.iter().filter(|spec| spec.sweep.is_some()) {
@@ -100,18 +103,20 @@ fn point(cell: &Cell, errors: &Errors) -> [f64; 2] {
 /// The front of a group, and how far it extends.
 struct Chart<'a> {
     points: &'a [[f64; 2]],
+    /// Intervals of the times, in milliseconds.
+    times: &'a [[f64; 2]],
     front: Vec<usize>,
     extent: [f64; 2],
 }
 
 impl<'a> Chart<'a> {
-    fn of(points: &'a [[f64; 2]]) -> Self {
+    fn of(points: &'a [[f64; 2]], times: &'a [[f64; 2]]) -> Self {
         let front = pareto_front(points);
         let extent = [0, 1].map(|axis| {
             let values = || front.iter().map(|&at| points[at][axis]);
             values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
         });
-        Self { points, front, extent }
+        Self { points, times, front, extent }
     }
 
     /// Distance of two points, as a share of the front's extent; 0 where what lies between could not be in the front.
@@ -130,7 +135,8 @@ impl<'a> Chart<'a> {
             // A front of one point has no extent, and what differs from it differs altogether.
             if distance == 0.0 { 0.0 } else { (distance / self.extent[axis]).min(1.0) }
         };
-        share(0).hypot(share(1))
+        let time = if interval::overlap(self.times[one], self.times[other]) { 0.0 } else { share(0) };
+        time.hypot(share(1))
     }
 
     /// Whether a cell lacks the error.
@@ -222,6 +228,17 @@ mod tests {
         assert_eq!(next_level(&beaten), None);
         let elsewhere = [&swept[..], &[cell("b", "brute-force", 1.0, 0.5)]].concat();
         assert_eq!(next_level(&elsewhere), Some(0.4), "what is measured on another mesh beats nothing on this one");
+    }
+
+    #[test]
+    fn times_that_differ_by_chance_are_no_gap() {
+        let timed = |level: f64, interval: [f64; 2]| {
+            let mut cell = tracking("a", level, (interval[0] + interval[1]) / 2.0, 1.0);
+            cell.frame.frame_ms.interval = interval;
+            cell
+        };
+        assert_eq!(next_level(&[timed(0.0, [7.0, 8.0]), timed(0.8, [5.0, 6.9])]), Some(0.4));
+        assert_eq!(next_level(&[timed(0.0, [7.0, 8.0]), timed(0.8, [5.0, 7.1])]), None);
     }
 
     #[test]
