@@ -84,13 +84,15 @@ pub struct Measurer<'a, M> {
     notebook: &'a mut Notebook,
     prepared: Option<usize>,
     measured: u32,
+    /// Seconds that the last view of the prepared candidate took: what its next one is expected to take.
+    view_s: f64,
     is_closed: bool,
 }
 
 impl<'a, M: Meter> Measurer<'a, M> {
     /// A meter with a notebook that has a page for each of its candidates.
     pub fn new(meter: &'a mut M, notebook: &'a mut Notebook) -> Self {
-        Self { meter, notebook, prepared: None, measured: 0, is_closed: false }
+        Self { meter, notebook, prepared: None, measured: 0, view_s: 0.0, is_closed: false }
     }
 
     /// Whether a question was answered before. It is then answered from the notebook alone: but for [checks](Purpose::Check) nothing
@@ -155,6 +157,7 @@ impl<'a, M: Meter> Measurer<'a, M> {
             return Ok(false);
         }
         self.prepared = None;
+        self.view_s = 0.0;
         match self.meter.prepare(candidate, until_s) {
             Ok(preparation) => {
                 // The first is kept: later ones find the pipelines in the driver's cache.
@@ -191,7 +194,13 @@ impl<'a, M: Meter> Measurer<'a, M> {
         if is_closed || self.elapsed_s() >= until_s || !self.prepare(candidate, prepare_until_s.min(until_s))? {
             return Ok(None);
         }
-        match self.meter.sample(candidate, view, until_s) {
+        let start_s = self.elapsed_s();
+        if start_s + self.view_s > until_s {
+            return Ok(None);
+        }
+        let measured = self.meter.sample(candidate, view, until_s);
+        self.view_s = self.elapsed_s() - start_s;
+        match measured {
             Ok(sample) => {
                 self.measured += 1;
                 let samples = self.notebook.pages[candidate].samples.entry(view.purpose).or_default();
