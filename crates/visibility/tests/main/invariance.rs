@@ -1,11 +1,11 @@
 //! What a drawing must not depend on: the winding of a solid, and the order of vertices and faces.
 
 use crate::scenes::{all_lines, framing};
-use crate::whole_scenes::{FAMILIES, camera, scene};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{Camera, Topology, TriangleMesh, VertexId};
 use silhouette_testing::directions::AXES;
 use silhouette_testing::edits::inside_out;
+use silhouette_testing::lattice_scenes::{FAMILIES, camera, scene};
 use silhouette_testing::{Random, builtin, zoo};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
 use std::collections::BTreeSet;
