@@ -7,6 +7,8 @@ mod cut_sets;
 mod errors;
 mod exact;
 mod exactness;
+mod invariance;
+mod invariants;
 mod measures;
 mod oracle;
 mod publishing;
