@@ -83,16 +83,16 @@ fn kind_of(kind: LineKind) -> Kind {
 
 /// A piece of an edge as drawn.
 #[derive(Debug, Clone, Copy)]
-struct Piece {
-    style: ChainStyle,
-    range: [f64; 2],
+pub struct Piece {
+    pub style: ChainStyle,
+    pub range: [f64; 2],
 }
 
 /// The pieces of each edge.
-type Pieces = BTreeMap<[u32; 2], Vec<Piece>>;
+pub type Pieces = BTreeMap<[u32; 2], Vec<Piece>>;
 
 /// The pieces of each edge in their order along it, or in what a chain is no chain.
-fn pieces(mesh: &TriangleMesh, topology: &Topology, chains: &Chains) -> Result<Pieces, String> {
+pub fn pieces(mesh: &TriangleMesh, topology: &Topology, chains: &Chains) -> Result<Pieces, String> {
     let mut pieces = Pieces::new();
     for chain in chains.iter() {
         let count = chain.sources.len();
@@ -156,7 +156,7 @@ pub fn compare(mesh: &TriangleMesh, expected: &Drawing, chains: &Chains) -> Resu
 }
 
 /// By how much the ends of an edge's pieces are off, or in what else they differ from its stretches.
-fn compare_edge(kind: Kind, stretches: &[Stretch], found: &[Piece]) -> Result<f64, String> {
+pub fn compare_edge(kind: Kind, stretches: &[Stretch], found: &[Piece]) -> Result<f64, String> {
     let is_like = |(piece, stretch): (&Piece, &Stretch)| {
         kind_of(piece.style.kind) == kind && piece.style.invisibility == stretch.invisibility
     };
