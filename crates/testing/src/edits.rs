@@ -45,6 +45,22 @@ pub fn shaken(mesh: &TriangleMesh, amount: f32, seed: u64) -> TriangleMesh {
     mapped(mesh, |position| position + random.vector().as_vec3() * amount)
 }
 
+/// The mesh with vertices and faces in another order, and each face beginning at another corner; and the new number of each
+/// vertex.
+pub fn permuted(mesh: &TriangleMesh, random: &mut Random) -> (TriangleMesh, Vec<u32>) {
+    let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
+    random.shuffle(&mut order);
+    let mut positions = vec![Vec3::ZERO; order.len()];
+    for (&to, &position) in order.iter().zip(mesh.positions()) {
+        positions[to as usize] = position;
+    }
+    let mut triangles: Vec<[u32; 3]> =
+        mesh.triangles().iter().map(|triangle| triangle.map(|vertex| order[vertex as usize])).collect();
+    triangles.iter_mut().for_each(|triangle| triangle.rotate_left(random.below(3)));
+    random.shuffle(&mut triangles);
+    (TriangleMesh::new(positions, triangles).unwrap(), order)
+}
+
 /// Several meshes as one. Vertices and faces of the first come first.
 pub fn joined(meshes: &[&TriangleMesh]) -> TriangleMesh {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());

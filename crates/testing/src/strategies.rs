@@ -1,6 +1,7 @@
 //! Meshes and viewpoints for proptest.
 
-use crate::edits::{keeping, shaken};
+use crate::edits::{keeping, mapped, shaken};
+use crate::zoo::builtin;
 use proptest::prelude::*;
 use silhouette_core::glam::Vec3;
 use silhouette_core::shapes::{Sphere, Torus};
@@ -13,6 +14,17 @@ pub fn closed_mesh() -> impl Strategy<Value = TriangleMesh> {
         (3_u32..12, 3_u32..9).prop_map(|(around, across)| Torus::default().mesh(around, across).unwrap()),
     ];
     (base, 0.0_f32..0.6, any::<u64>()).prop_map(|(mesh, amount, seed)| shaken(&mesh, amount, seed))
+}
+
+/// A convex body around the origin, without faces in one plane but for a box: it holds the ball of radius 0.1, and the cube from -1 to 1
+/// holds it.
+pub fn convex_body() -> impl Strategy<Value = TriangleMesh> {
+    let base = prop_oneof![
+        (0_u32..3).prop_map(|level| Sphere { radius: 0.99 }.icosphere(level).unwrap()),
+        Just(mapped(&builtin("cube"), |corner| corner * 0.5)),
+    ];
+    // Linear maps keep convex bodies convex.
+    (base, prop::array::uniform3(0.2_f32..1.0)).prop_map(|(mesh, scale)| mapped(&mesh, |p| p * Vec3::from(scale)))
 }
 
 /// A closed mesh with some of its faces taken away.

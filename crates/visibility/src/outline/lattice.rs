@@ -4,7 +4,7 @@ use silhouette_core::glam::DVec2;
 
 /// Lattice lines per pixel: `2^36`, so that rounding is lost in that of projecting, and a picture of 16384 pixels with its
 /// surroundings still fits the 62 bits that `i_overlay` computes with.
-const LINES_PER_PIXEL: f64 = (1_u64 << 36) as f64;
+pub const LINES_PER_PIXEL: f64 = (1_u64 << 36) as f64;
 
 /// A point of the lattice; y points up.
 pub type Point = [i64; 2];

@@ -8,7 +8,8 @@
 //!    area is kept, which on a scan is little.
 //! 3. `cycles.rs`, `union.rs`: what remains is united by `i_overlay`, with the rule that a point is inside where its winding
 //!    number is above 0.
-//! 4. `nesting.rs`: the rings are sorted into regions.
+//! 4. `spikes.rs`: slivers as wide as rounding are left out.
+//! 5. `nesting.rs`: the rings are sorted into regions.
 //!
 //! The winding number of a point is the number of layers there, which is why closed and open meshes, meshes that are wound
 //! against each other and meshes that overlap need no case of their own. A face seen edge-on has no area and adds nothing.
@@ -20,6 +21,7 @@ mod cycles;
 mod lattice;
 mod nesting;
 mod resolve;
+mod spikes;
 mod union;
 mod window;
 
@@ -94,7 +96,9 @@ pub fn outline(
     // Only a crowd is worth looking for edges that lie on each other.
     let bounds = resolve::resolve(&chain).or_else(|_| resolve::resolve(&chain::without_repeats(chain)))?;
     progress.check()?;
-    let regions = nesting::regions(union::union(&cycles::cycles(bounds)));
+    let rings = union::union(&cycles::cycles(bounds));
+    let rings = rings.iter().filter_map(|ring| spikes::without_spikes(ring));
+    let regions = nesting::regions(rings.collect());
     let in_pixels = |ring: Vec<Point>| ring.into_iter().map(pixel).collect();
     Ok(Outline::of_regions(regions.into_iter().map(|region| region.into_iter().map(in_pixels).collect())))
 }

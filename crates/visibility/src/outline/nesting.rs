@@ -1,4 +1,4 @@
-//! Step 4: which region each hole lies in.
+//! Step 5: which region each hole lies in.
 //!
 //! A line sweeps over all rings from the left. Where it comes to a hole, what lies next below the hole bounds the same region
 //! as the hole does: it is a ring around the region, or another of its holes (Shamos and Hoey, "Geometric intersection

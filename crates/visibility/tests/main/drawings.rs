@@ -3,10 +3,10 @@
 
 use crate::oracle::{Oracle, STEPS};
 use crate::scenes::all_lines;
-use crate::whole_scenes::{FAMILIES, Family, camera, scene, seeds};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{Camera, Projection, Topology, TriangleMesh, VertexId, Viewpoint};
 use silhouette_testing::Random;
+use silhouette_testing::lattice_scenes::{FAMILIES, Family, camera, scene, seeds};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
 use std::collections::BTreeMap;
 

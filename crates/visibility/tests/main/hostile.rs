@@ -2,13 +2,13 @@
 
 use crate::rays::{Tally, compare};
 use crate::scenes::{all_lines, finder, framing};
-use crate::whole_scenes::{FAMILIES, camera, scene};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::view::MAX_VIEWPORT;
 use silhouette_core::{Camera, EdgeId, NoProgress, Projection, Topology, TriangleMesh};
 use silhouette_testing::directions::spread;
 use silhouette_testing::edges::edge_ends;
 use silhouette_testing::edits::{inside_out, joined, keeping, moved, turned_over, with_triangles};
+use silhouette_testing::lattice_scenes::{FAMILIES, camera, scene};
 use silhouette_testing::prepare::prepared;
 use silhouette_testing::views::look;
 use silhouette_testing::{Random, builtin, zoo};

@@ -1,11 +1,11 @@
 //! What a drawing must not depend on: the winding of a solid, and the order of vertices and faces.
 
 use crate::scenes::{all_lines, framing};
-use crate::whole_scenes::{FAMILIES, camera, scene};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{Camera, Topology, TriangleMesh, VertexId};
 use silhouette_testing::directions::AXES;
-use silhouette_testing::edits::inside_out;
+use silhouette_testing::edits::{inside_out, permuted};
+use silhouette_testing::lattice_scenes::{FAMILIES, camera, scene};
 use silhouette_testing::{Random, builtin, zoo};
 use silhouette_visibility::{LineKind, LineOptions, Lines, SegmentSource};
 use std::collections::BTreeSet;
@@ -34,21 +34,6 @@ fn stretches(mesh: &TriangleMesh, lines: &Lines) -> BTreeSet<Stretch> {
         }
     }
     all
-}
-
-/// The same mesh with vertices and faces in another order, and each face beginning at another corner.
-fn permuted(mesh: &TriangleMesh, random: &mut Random) -> TriangleMesh {
-    let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
-    random.shuffle(&mut order);
-    let mut positions = vec![Vec3::ZERO; order.len()];
-    for (&to, &position) in order.iter().zip(mesh.positions()) {
-        positions[to as usize] = position;
-    }
-    let mut triangles: Vec<[u32; 3]> =
-        mesh.triangles().iter().map(|triangle| triangle.map(|vertex| order[vertex as usize])).collect();
-    triangles.iter_mut().for_each(|triangle| triangle.rotate_left(random.below(3)));
-    random.shuffle(&mut triangles);
-    TriangleMesh::new(positions, triangles).unwrap()
 }
 
 fn creases() -> LineOptions {
@@ -96,7 +81,7 @@ fn has_a_face_without_area(mesh: &TriangleMesh) -> bool {
 #[test]
 fn any_order_of_vertices_and_faces_yields_one_drawing() {
     let check = |mesh: &TriangleMesh, camera: &Camera, options: &LineOptions, random: &mut Random, what: &str| {
-        let other = permuted(mesh, random);
+        let (other, _) = permuted(mesh, random);
         let draw = |mesh: &TriangleMesh| stretches(mesh, &all_lines(mesh, camera, options));
         let (expected, found) = (draw(mesh), draw(&other));
         assert!(expected == found, "{what}");

@@ -17,4 +17,3 @@ mod scenes;
 mod sections;
 mod soups;
 mod strokes_of_the_caller;
-mod whole_scenes;

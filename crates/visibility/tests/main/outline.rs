@@ -1,12 +1,12 @@
 //! The outline against the picture of all faces: what it encloses, and that it is a planar map.
 
 use crate::scenes::{finder, framing};
-use crate::whole_scenes::{FAMILIES, camera, scene, seeds};
 use silhouette_core::glam::{DVec2, DVec3, Vec3};
 use silhouette_core::view::Projection;
 use silhouette_core::{Camera, NoProgress, TriangleMesh};
 use silhouette_testing::directions::spread;
 use silhouette_testing::edits::{inside_out, joined, keeping, moved};
+use silhouette_testing::lattice_scenes::{FAMILIES, camera, scene, seeds};
 use silhouette_testing::views::look;
 use silhouette_testing::{Random, builtin, real_mesh};
 use silhouette_visibility::Outline;

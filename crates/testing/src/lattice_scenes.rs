@@ -1,9 +1,9 @@
 //! Small random scenes at whole coordinates, where ties are the rule: closed, open, non-manifold, duplicate and touching
 //! surfaces, faces seen edge-on, eyes on vertices and in the planes of faces.
 
+use crate::random::Random;
 use silhouette_core::glam::Vec3;
 use silhouette_core::{Camera, Projection, TriangleMesh};
-use silhouette_testing::Random;
 
 /// What a scene is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +22,7 @@ pub enum Family {
     Twice,
 }
 
+/// All families.
 pub const FAMILIES: [Family; 6] =
     [Family::Closed, Family::Damaged, Family::Sheets, Family::Shared, Family::Apart, Family::Twice];
 
