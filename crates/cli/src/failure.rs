@@ -49,17 +49,23 @@ impl Failure {
         }
     }
 
+    /// What is said of it, on one line.
+    pub fn line(&self) -> String {
+        match self {
+            Self::Input(message) | Self::Run(message) => one_line(message),
+            Self::Interrupted => "interrupted; what was in progress was not written".to_owned(),
+        }
+    }
+
     /// Prints the line; yields the exit code.
     pub fn report(&self) -> ExitCode {
-        let (message, code) = match self {
-            Self::Input(message) => (message, 2),
-            Self::Run(message) => (message, 1),
-            Self::Interrupted => {
-                (&"interrupted; what was in progress was not written".to_owned(), interrupt::EXIT_CODE)
-            }
+        let code = match self {
+            Self::Input(_) => 2,
+            Self::Run(_) => 1,
+            Self::Interrupted => interrupt::EXIT_CODE,
         };
         // Where stderr is closed there is nobody to tell; the exit code still says it.
-        let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));
+        let _ = writeln!(std::io::stderr(), "silhouettes: {}", self.line());
         ExitCode::from(code)
     }
 }

@@ -23,6 +23,7 @@
 //! | [`real_meshes`](mod@real_meshes) | the meshes in the folder that `SILHOUETTES_MODELS` names |
 //! | [`edits`] | moved, joined, perforated, turned over: meshes made of others |
 //! | [`strategies`] | meshes and viewpoints for proptest |
+//! | [`mutations`] | ways in which files go bad |
 //! | [`random`] | seeded random numbers |
 //! | [`directions`] | directions spread over the sphere, along axes, one per octant |
 //! | [`views`] | cameras that frame a mesh, orbits, viewpoints that are hard to get right |
@@ -50,6 +51,7 @@ pub mod edges;
 pub mod edits;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+pub mod mutations;
 pub mod prepare;
 pub mod progress;
 pub mod random;
