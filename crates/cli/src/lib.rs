@@ -50,6 +50,7 @@ pub fn run(registry: &Registry) -> ExitCode {
                 mesa::silence();
             }
             interrupt::listen();
+            input::limit_bytes(arguments.limit_bytes.unwrap_or(u64::MAX));
             dispatch(arguments.command, registry)
         }
         Err(error) if !error.use_stderr() => {

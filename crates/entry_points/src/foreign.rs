@@ -7,7 +7,7 @@ const FRAME: Frame = Frame { size: [64, 48], pen_width_px: 2.0 };
 
 /// Reads a drawing by another program: the first byte says whether the rest is SVG, JSON or PNG.
 ///
-/// Lines lie within the picture and the pen's width around it; an error is one line.
+/// Lines lie within the picture and the pen's width around it; an error says something.
 pub fn foreign(bytes: &[u8]) -> bool {
     let Some((kind, file)) = bytes.split_first() else { return false };
     let read = match kind {

@@ -1,6 +1,6 @@
 //! [`mesh_files`].
 
-use crate::check_message;
+use crate::check_line;
 use silhouette_core::heal::heal_t_junctions;
 use silhouette_core::id::FaceId;
 use silhouette_core::inside_out::{inside_out_faces, turned};
@@ -32,7 +32,7 @@ pub fn mesh_files(bytes: &[u8]) -> bool {
     match read_labelled(format, "fuzzed", file, &NoProgress) {
         Err(error) => {
             let message = error.to_string();
-            check_message(&message);
+            check_line(&message);
             assert!(message.starts_with("fuzzed"), "{message}");
             false
         }
@@ -59,7 +59,7 @@ fn check_labelled(LabelledMesh { mesh, labels, parts, feature_edges, notes }: &L
     }
     assert!(feature_edges.is_sorted(), "feature edges are sorted");
     assert!(feature_edges.iter().all(|[a, b]| a < b && (*b as usize) < mesh.vertex_count()), "feature edges are edges");
-    notes.iter().for_each(|note| check_message(&note.to_string()));
+    notes.iter().for_each(|note| check_line(&note.to_string()));
 }
 
 fn check_mesh(mesh: &TriangleMesh) {

@@ -1,6 +1,6 @@
 //! [`text`].
 
-use crate::check_message;
+use crate::{check_line, check_message};
 use silhouette_compare::registry::Registry;
 use silhouette_compare::scene::Scene;
 use silhouette_compare::scene::cells::choices;
@@ -24,12 +24,15 @@ const SHORT_NAME: usize = 16;
 /// | `l` | a length, a page, a colour, a section plane |
 /// | `b` | a built-in shape with its arguments |
 ///
-/// An error is one line. What is read and can be printed is read again as the same.
+/// An error says something, that of a command line on one line. What is read and can be printed is read again as the same.
 pub fn text(bytes: &[u8]) -> bool {
     let Some((kind, rest)) = bytes.split_first() else { return false };
     let Ok(text) = std::str::from_utf8(rest) else { return false };
     match kind {
-        b'c' => is_accepted(silhouettes::check(text.lines().map(Into::into), registry())),
+        b'c' => {
+            let checked = silhouettes::check(text.lines().map(Into::into), registry());
+            checked.inspect_err(|line| check_line(line)).is_ok()
+        }
         b't' => scene(text),
         b'm' => options(text),
         b'l' => values(text),
