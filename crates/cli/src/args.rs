@@ -23,6 +23,9 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Refuse files of meshes with more bytes than this, with all that they name; memory stays within 300 bytes per byte
+    #[arg(long, global = true, value_name = "BYTES")]
+    pub limit_bytes: Option<u64>,
 }
 
 /// The commands.

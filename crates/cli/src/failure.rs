@@ -49,17 +49,23 @@ impl Failure {
         }
     }
 
+    /// What is said of it, on one line.
+    pub fn line(&self) -> String {
+        match self {
+            Self::Input(message) | Self::Run(message) => one_line(message),
+            Self::Interrupted => "interrupted; what was in progress was not written".to_owned(),
+        }
+    }
+
     /// Prints the line; yields the exit code.
     pub fn report(&self) -> ExitCode {
-        let (message, code) = match self {
-            Self::Input(message) => (message, 2),
-            Self::Run(message) => (message, 1),
-            Self::Interrupted => {
-                (&"interrupted; what was in progress was not written".to_owned(), interrupt::EXIT_CODE)
-            }
+        let code = match self {
+            Self::Input(_) => 2,
+            Self::Run(_) => 1,
+            Self::Interrupted => interrupt::EXIT_CODE,
         };
         // Where stderr is closed there is nobody to tell; the exit code still says it.
-        let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));
+        let _ = writeln!(std::io::stderr(), "silhouettes: {}", self.line());
         ExitCode::from(code)
     }
 }
@@ -79,8 +85,22 @@ pub fn usage(error: &clap::Error) -> Failure {
     Failure::Input(format!("{} (see silhouettes --help)", message.trim_start_matches("error: ")))
 }
 
+/// On one line, and without what a terminal would obey: an option or a file may hold any character, and messages quote them.
 fn one_line(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
+    let mut line = String::with_capacity(message.len());
+    for word in message.split_whitespace() {
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        for letter in word.chars() {
+            if letter.is_control() {
+                line.extend(letter.escape_default());
+            } else {
+                line.push(letter);
+            }
+        }
+    }
+    line
 }
 
 impl From<LoadError> for Failure {
@@ -119,6 +139,12 @@ mod tests {
             Failure::Input(message) | Failure::Run(message) => message,
             Failure::Interrupted => panic!("nobody interrupted"),
         }
+    }
+
+    #[test]
+    fn nothing_that_a_terminal_obeys_is_printed() {
+        let failure = Failure::input("there is no option 'a\u{1b}[2J\0b\nc\u{9b}'; the method has none");
+        assert_eq!(failure.line(), "there is no option 'a\\u{1b}[2J\\u{0}b c\\u{9b}'; the method has none");
     }
 
     #[test]

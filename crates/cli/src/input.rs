@@ -13,9 +13,28 @@ use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
 use silhouette_core::{PreparedMesh, Progress, TriangleMesh, VertexId, shapes};
 use silhouette_texture::{Textures, siltex};
+use std::fmt::Display;
 use std::io::Read as _;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Most bytes of a file, all over the process.
+static MOST_BYTES: AtomicU64 = AtomicU64::new(u64::MAX);
+
+/// Sets the most bytes that are read of any file of a mesh, from now on.
+pub fn limit_bytes(most: u64) {
+    MOST_BYTES.store(most, Ordering::Relaxed);
+}
+
+fn most_bytes() -> u64 {
+    MOST_BYTES.load(Ordering::Relaxed)
+}
+
+/// What is said of a file that is too long.
+fn too_long(name: impl Display) -> Failure {
+    Failure::Input(format!("{name}: has more than {} bytes; raise --limit-bytes", most_bytes()))
+}
 
 /// Loads a file, with the feature edges that it states, or generates a built-in shape.
 pub fn mesh(argument: &MeshArgument, winding: Winding, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
@@ -45,7 +64,7 @@ pub fn welded(
     if let Some(distance) = distance {
         weld(&mut loaded, distance)?;
     }
-    winding.apply(&name, &mut loaded);
+    winding.apply(&name, &mut loaded, progress)?;
     Ok(prepared(name, loaded))
 }
 
@@ -114,6 +133,9 @@ fn hull_of_texture(argument: &MeshArgument, path: &Path, method: &Entry) -> Resu
             method.info().name
         )));
     }
+    if path.metadata().is_ok_and(|metadata| metadata.len() > most_bytes()) {
+        return Err(too_long(argument));
+    }
     let siltex::Siltex { texture, metadata, .. } = siltex::read(path).map_err(Failure::input)?;
     let hull = texture.parts().hull.mesh().as_ref().clone().with_origin(bake::origin(&metadata));
     let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(texture));
@@ -134,7 +156,7 @@ fn labelled(
     for about_file in &loaded.notes {
         note(format_args!("{argument}: {about_file}"));
     }
-    winding.apply(&name, &mut loaded);
+    winding.apply(&name, &mut loaded, progress)?;
     Ok((name, loaded))
 }
 
@@ -148,12 +170,23 @@ fn silently_labelled(argument: &MeshArgument, progress: &dyn Progress) -> Result
         MeshArgument::StandardInput => {
             let name = argument.to_string();
             let mut bytes = Vec::new();
-            let read = interrupt::while_waiting(|| std::io::stdin().lock().read_to_end(&mut bytes));
+            let mut some = std::io::stdin().lock().take(most_bytes().saturating_add(1));
+            let read = interrupt::while_waiting(|| some.read_to_end(&mut bytes));
             read.map_err(|error| Failure::Input(format!("{name}: {error}; name a file")))?;
+            if bytes.len() as u64 > most_bytes() {
+                return Err(too_long(name));
+            }
             let loaded = load::read_labelled(format_of(&bytes), &name, &bytes, progress)?;
             Ok((name, loaded))
         }
-        MeshArgument::File(path) => Ok((file_name(path), load::load_labelled(path, progress)?)),
+        MeshArgument::File(path) => {
+            let loaded = load::load_labelled_within(path, most_bytes(), progress);
+            let loaded = loaded.map_err(|error| match error.problem {
+                load::Problem::TooLong { .. } => too_long(argument),
+                _ => error.into(),
+            })?;
+            Ok((file_name(path), loaded))
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::progress::TerminalProgress;
 use serde::Serialize;
 use silhouette_core::Topology;
 use silhouette_core::heal::TJunctions;
-use silhouette_core::inspect::{Defects, Inspection, inspect};
+use silhouette_core::inspect::{Defects, Inspection, inspect_with_progress};
 use std::fmt::{Display, Write};
 
 /// How many ids of a kind of defect the text shows; `--json` holds all.
@@ -29,7 +29,7 @@ pub fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let (named, notes) = input::mesh_with_notes(&arguments.mesh, &progress)?;
     let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
     let topology = named.mesh.artefact::<Topology>("inspect", &progress)?;
-    let inspection = inspect(named.mesh.mesh(), &topology);
+    let inspection = inspect_with_progress(named.mesh.mesh(), &topology, &progress)?;
     let mut text = if arguments.json {
         let document = Document { mesh: &named.name, inspection: &inspection, notes };
         serde_json::to_string_pretty(&document).map_err(Failure::run)?

@@ -38,6 +38,7 @@ pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 use args::{Arguments, Command};
 use clap::FromArgMatches;
 use failure::Failure;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
@@ -49,6 +50,7 @@ pub fn run(registry: &Registry) -> ExitCode {
                 mesa::silence();
             }
             interrupt::listen();
+            input::limit_bytes(arguments.limit_bytes.unwrap_or(u64::MAX));
             dispatch(arguments.command, registry)
         }
         Err(error) if !error.use_stderr() => {
@@ -64,6 +66,19 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(_) if interrupt::is_asked() => Failure::Interrupted.report(),
         Err(failure) => failure.report(),
+    }
+}
+
+/// Whether a command line can be read, without doing what it says: its words, without the program's name.
+///
+/// # Errors
+/// The line that [`run`] would print for it.
+pub fn check(words: impl IntoIterator<Item = OsString>, registry: &Registry) -> Result<(), String> {
+    let words = std::iter::once("silhouettes".into()).chain(words);
+    let matches = methods::command(registry).try_get_matches_from(spoken::joined(words));
+    match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
+        Err(error) if error.use_stderr() => Err(failure::usage(&error).line()),
+        _ => Ok(()),
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::failure::note;
 use clap::Args;
-use silhouette_core::Topology;
-use silhouette_core::inside_out::{inside_out_faces, turned};
+use silhouette_core::inside_out::{inside_out_faces_with_progress, turned};
 use silhouette_core::load::LabelledMesh;
+use silhouette_core::{Cancelled, Progress, Topology};
 
 /// Which way faces are wanted to point.
 #[derive(Debug, Clone, Copy, PartialEq, Args)]
@@ -38,16 +38,16 @@ impl OrientArgument {
 }
 
 impl Winding {
-    /// Turns the faces of a mesh, or notes that they should be.
-    pub fn apply(self, name: &str, loaded: &mut LabelledMesh) {
+    /// Turns the faces of a mesh, or notes that they should be; stops when `progress` asks to.
+    pub fn apply(self, name: &str, loaded: &mut LabelledMesh, progress: &dyn Progress) -> Result<(), Cancelled> {
         if self == Self::AsItIs {
-            return;
+            return Ok(());
         }
         let mesh = &loaded.mesh;
-        let is_inside_out = inside_out_faces(mesh, &Topology::new(mesh));
+        let is_inside_out = inside_out_faces_with_progress(mesh, &Topology::new(mesh), progress)?;
         let (count, faces) = (is_inside_out.iter().filter(|&&turned| turned).count(), mesh.face_count());
         if count == 0 {
-            return;
+            return Ok(());
         }
         if self == Self::Turned {
             loaded.mesh = turned(mesh, &is_inside_out);
@@ -58,5 +58,6 @@ impl Winding {
                  hidden; --orient turns them"
             ));
         }
+        Ok(())
     }
 }

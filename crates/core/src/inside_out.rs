@@ -15,13 +15,29 @@ use self::nesting::surroundings;
 use crate::disjoint_sets::DisjointSets;
 use crate::id::{EdgeId, FaceId};
 use crate::mesh::TriangleMesh;
+use crate::progress::{Cancelled, NoProgress, Progress};
 use crate::topology::Topology;
 use glam::{DVec3, Vec3};
 
 /// For each face whether it belongs to a part that is wound inside out: exact for closed parts, a guess by volume for open ones.
 /// O(F α(F)), and for nested parts the faces above each of them along one axis.
 pub fn inside_out_faces(mesh: &TriangleMesh, topology: &Topology) -> Vec<bool> {
-    Parts::new(mesh, topology).inside_out_faces()
+    inside_out_faces_with_progress(mesh, topology, &NoProgress).unwrap_or_default()
+}
+
+/// Like [`inside_out_faces`], but stops when `progress` asks to.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn inside_out_faces_with_progress(
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    progress: &dyn Progress,
+) -> Result<Vec<bool>, Cancelled> {
+    let parts = Parts::new(mesh, topology);
+    progress.check()?;
+    let verdicts = parts.verdicts(progress)?;
+    Ok(parts.part_of.iter().map(|&part| verdicts[part as usize].is_inside_out).collect())
 }
 
 /// For each face six times the volume between its part and the part's centre, above 0 where faces point outwards: right for closed parts,
@@ -93,9 +109,14 @@ impl<'a> Parts<'a> {
         Self { mesh, part_of, parts }
     }
 
+    /// The part of a face.
+    fn of(&self, face: u32) -> usize {
+        self.part_of[face as usize] as usize
+    }
+
     /// What each part is.
-    pub(crate) fn verdicts(&self) -> Vec<Verdict> {
-        let around = surroundings(self);
+    pub(crate) fn verdicts(&self, progress: &dyn Progress) -> Result<Vec<Verdict>, Cancelled> {
+        let around = surroundings(self, progress)?;
         let mut order: Vec<usize> = (0..self.parts.len()).collect();
         // Whatever is around a part has a larger volume.
         order.sort_by(|&one, &other| self.parts[other].volume.abs().total_cmp(&self.parts[one].volume.abs()));
@@ -107,19 +128,14 @@ impl<'a> Parts<'a> {
             // The solid of a part that points inward once all is right lies outside of it.
             verdicts[part] = Verdict { is_inside_out, is_cavity: (volume < 0.0) != is_inside_out };
         }
-        verdicts
-    }
-
-    fn inside_out_faces(&self) -> Vec<bool> {
-        let verdicts = self.verdicts();
-        self.part_of.iter().map(|&part| verdicts[part as usize].is_inside_out).collect()
+        Ok(verdicts)
     }
 
     /// How many faces are inside out, and how many parts are walls of cavities.
-    pub(crate) fn count(&self) -> (usize, usize) {
-        let verdicts = self.verdicts();
+    pub(crate) fn count(&self, progress: &dyn Progress) -> Result<(usize, usize), Cancelled> {
+        let verdicts = self.verdicts(progress)?;
         let faces = self.part_of.iter().filter(|&&part| verdicts[part as usize].is_inside_out).count();
-        (faces, verdicts.iter().filter(|verdict| verdict.is_cavity).count())
+        Ok((faces, verdicts.iter().filter(|verdict| verdict.is_cavity).count()))
     }
 }
 
@@ -247,7 +263,7 @@ mod tests {
             assert!(!inside_out_faces(&mended, &Topology::new(&mended)).contains(&true), "{radii:?}");
         }
         let hollow = spheres(&[2.0, -1.0]);
-        assert_eq!(Parts::new(&hollow, &Topology::new(&hollow)).count(), (0, 1));
+        assert_eq!(Parts::new(&hollow, &Topology::new(&hollow)).count(&NoProgress), Ok((0, 1)));
     }
 
     /// Balls beside each other in a hollow one, some in the shadow of others along any axis.

@@ -151,7 +151,9 @@ fn meshes(
     }
     // Lines are right whichever way faces point, and so are their kinds.
     let winding = arguments.orient.winding(false);
-    meshes.iter_mut().for_each(|(name, loaded)| winding.apply(name, loaded));
+    for (name, loaded) in &mut meshes {
+        winding.apply(name, loaded, progress)?;
+    }
     Ok((meshes, parts))
 }
 

@@ -3,6 +3,7 @@
 use super::{Part, Parts};
 use crate::id::FaceId;
 use crate::orientation::orientation;
+use crate::progress::{Cancelled, Progress};
 use glam::Vec3;
 use robust::{Coord, orient2d};
 use std::collections::HashMap;
@@ -10,38 +11,53 @@ use std::collections::HashMap;
 /// Points of each part that are looked at: the majority decides, as one of them may lie on the surface of another part.
 const SAMPLES: usize = 3;
 
-/// For each part the smallest closed part that is around it, if it is closed itself.
+/// Rays that are looked at between two questions whether to go on: some milliseconds.
+const TESTS_BETWEEN_CHECKS: usize = 100_000;
+
+/// For each part the smallest closed part that is around it, if it is closed itself. Memory: O(F).
 ///
 /// From a few corners of each part a ray goes along x. A part is around another if it is crossed an odd number of times. Predicates
 /// are exact, and rays are moved infinitesimally to pass no edge. Rays lie in a grid in the plane of y and z, so that each face meets
 /// those near it only.
-pub(super) fn surroundings(parts: &Parts<'_>) -> Vec<Option<usize>> {
+pub(super) fn surroundings(parts: &Parts<'_>, progress: &dyn Progress) -> Result<Vec<Option<usize>>, Cancelled> {
     let mut around = vec![None; parts.parts.len()];
     let solid: Vec<bool> = parts.parts.iter().map(Part::is_solid).collect();
     if solid.iter().filter(|&&is_solid| is_solid).count() < 2 {
-        return around;
+        return Ok(around);
     }
     let rays = Rays::new(parts, &solid);
-    let mut crossings: HashMap<(u32, u32), [u32; SAMPLES]> = HashMap::new();
-    for (face, &outer) in parts.part_of.iter().enumerate().filter(|&(_, &part)| solid[part as usize]) {
-        let corners = parts.mesh.corners(FaceId::from_usize(face));
-        let part = &parts.parts[outer as usize];
-        rays.near(corners, |ray| {
-            if ray.part != outer && part.may_enclose(&parts.parts[ray.part as usize]) && crosses(ray.from, corners) {
-                crossings.entry((ray.part, outer)).or_default()[ray.sample] += 1;
+    // Part after part: of nested ones each crosses the rays of all inside of it, which is too much to hold for all of them.
+    let mut faces: Vec<u32> = (0..parts.part_of.len() as u32).filter(|&face| solid[parts.of(face)]).collect();
+    faces.sort_by_key(|&face| parts.of(face));
+    let mut crossings: HashMap<u32, [u32; SAMPLES]> = HashMap::new();
+    let mut tests = 0_usize;
+    for faces in faces.chunk_by(|&one, &other| parts.of(one) == parts.of(other)) {
+        let outer = parts.of(faces[0]);
+        let part = &parts.parts[outer];
+        for &face in faces {
+            let corners = parts.mesh.corners(FaceId::new(face));
+            rays.near(corners, |ray| {
+                tests += 1;
+                let inner = ray.part as usize;
+                if inner != outer && part.may_enclose(&parts.parts[inner]) && crosses(ray.from, corners) {
+                    crossings.entry(ray.part).or_default()[ray.sample] += 1;
+                }
+            });
+            if tests >= TESTS_BETWEEN_CHECKS {
+                tests = 0;
+                progress.check()?;
             }
-        });
-    }
-    for ((inner, outer), counts) in crossings {
-        let odd = counts.iter().filter(|&count| count % 2 == 1).count();
-        let slot: &mut Option<usize> = &mut around[inner as usize];
+        }
         let size = |part: usize| (parts.parts[part].volume.abs(), part);
-        let is_smaller = slot.is_none_or(|known| size(outer as usize) < size(known));
-        if 2 * odd > SAMPLES && is_smaller {
-            *slot = Some(outer as usize);
+        for (inner, counts) in crossings.drain() {
+            let odd = counts.iter().filter(|&count| count % 2 == 1).count();
+            let slot: &mut Option<usize> = &mut around[inner as usize];
+            if 2 * odd > SAMPLES && slot.is_none_or(|known| size(outer) < size(known)) {
+                *slot = Some(outer);
+            }
         }
     }
-    around
+    Ok(around)
 }
 
 /// A ray along x from a corner of a part.

@@ -33,6 +33,7 @@ use crate::heal::{TJunctions, find_t_junctions};
 use crate::id::{EdgeId, HalfEdgeId};
 use crate::inside_out::Parts;
 use crate::mesh::TriangleMesh;
+use crate::progress::{Cancelled, NoProgress, Progress};
 use crate::seams::OpenSeams;
 use crate::topology::Topology;
 use crate::weld::weld_exact;
@@ -92,26 +93,58 @@ pub struct Inspection {
 /// # Panics
 /// If `topology` belongs to another mesh.
 pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
+    inspect_with_progress(mesh, topology, &NoProgress).expect("nobody cancels")
+}
+
+/// Like [`inspect`], but stops between its steps when `progress` asks to.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+///
+/// # Panics
+/// As [`inspect`].
+pub fn inspect_with_progress(
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    progress: &dyn Progress,
+) -> Result<Inspection, Cancelled> {
     assert_eq!(topology.half_edge_count(), 3 * mesh.face_count(), "the topology belongs to another mesh");
     let sides = Sides { mesh, topology };
+    // One step after another, each told to `progress`.
+    progress.stage("inspecting", 8);
+    let done = || {
+        progress.advance(1);
+        progress.check()
+    };
     let patches = patches::flood(sides);
+    done()?;
     let fans = fans::find(sides);
+    done()?;
     let boundary_loops = boundary::chain(sides);
+    done()?;
     let defects = defects::find(sides, &fans);
+    done()?;
     let components = components::describe(sides, &patches, &fans, &boundary_loops, &defects);
+    done()?;
 
     let (seams, t_junctions) = if boundary_loops.is_empty() {
         (None, None)
     } else {
         let seams = OpenSeams::of(mesh, topology);
+        progress.check()?;
         let welded = weld_exact(mesh).mesh;
+        progress.check()?;
         let t_junctions = find_t_junctions(&welded, &Topology::new(&welded));
         (Some(seams).filter(|seams| seams.edges > 0), t_junctions)
     };
-    let (inside_out_faces, cavities) = Parts::new(mesh, topology).count();
+    done()?;
+    let parts = Parts::new(mesh, topology);
+    done()?;
+    let (inside_out_faces, cavities) = parts.count(progress)?;
+    done()?;
     let edges = components.iter().map(|component| component.edges).sum::<usize>();
     let referenced = mesh.vertex_count() - defects.unreferenced_vertices.len();
-    Inspection {
+    Ok(Inspection {
         vertices: mesh.vertex_count(),
         edges,
         faces: mesh.face_count(),
@@ -133,7 +166,7 @@ pub fn inspect(mesh: &TriangleMesh, topology: &Topology) -> Inspection {
         components,
         boundary_loops,
         defects,
-    }
+    })
 }
 
 /// A mesh with its topology, and the questions about sides of faces that every step asks.

@@ -159,6 +159,14 @@ pub enum Problem {
         /// How many there may be.
         limit: u64,
     },
+    /// More bytes than the caller allows.
+    #[error("the file has {found} bytes with all that it names, but at most {limit} are to be read; allow more, or simplify it")]
+    TooLong {
+        /// How many, at least.
+        found: u64,
+        /// How many were allowed.
+        limit: u64,
+    },
     /// The arrays were read but make no mesh.
     #[error("{0}; repair the file or export it again")]
     Mesh(MeshError),

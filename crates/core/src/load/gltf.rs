@@ -24,6 +24,7 @@ use self::dangling::dangling;
 use self::deform::{Deformed, deform};
 use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
 use self::nodes::{Placed, Placements, Transform, at_element, missing};
+use super::Beside;
 use super::assembly::{Assembly, LabelledMesh, vertex_id};
 use super::error::{Located, Problem, quote};
 use super::placing::Placing;
@@ -35,7 +36,6 @@ use ::gltf::json::mesh::{Mode, Primitive, Semantic};
 use ::gltf::json::validation::Checked;
 use ::gltf::json::{Index, Root};
 use glam::Vec3;
-use std::path::Path;
 
 /// Bytes of a mesh that a byte of input may unfold into, beyond [`ALWAYS`]: a corner of a strip is 2 bytes or more and becomes a
 /// triangle of 12.
@@ -49,16 +49,18 @@ const ALWAYS: u64 = 256 << 20;
 /// Bytes that placing a skinned vertex takes beside its own: the mean of the matrices of its joints, joints and weights.
 const SKINNED: u64 = 168;
 
+/// Bytes that placing a primitive counts for whatever it holds, points and lines too: no memory, but time.
+const VISITED: u64 = 8;
+
 /// The bytes of a mesh that this many bytes of input may unfold into.
 fn limit(input: u64) -> u64 {
     input.saturating_mul(UNFOLDING).saturating_add(ALWAYS)
 }
 
-/// Reads a glTF or GLB file. External buffers are looked up in `folder`; without one they are refused. O(bytes +
-/// triangles).
+/// Reads a glTF or GLB file, with its external buffers. O(bytes + triangles).
 pub(super) fn read(
     bytes: &[u8],
-    folder: Option<&Path>,
+    beside: Beside<'_>,
     placing: Placing,
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, Located> {
@@ -69,7 +71,7 @@ pub(super) fn read(
     })?;
     extensions::check(&root.extensions_required)?;
     let edges = EdgeExtensions::of(json, &root)?;
-    let (mut buffers, mut assembly) = (Buffers::new(blob, folder), Assembly::new(placing));
+    let (mut buffers, mut assembly) = (Buffers::new(blob, beside), Assembly::new(placing));
     let most = limit(bytes.len() as u64) / size_of::<Placed>() as u64;
     let placed = Placements::of(json)?.of_scene(&root, &mut buffers, &mut assembly.parts, most)?;
     progress.stage("assembling meshes", placed.len() as u64);
@@ -145,6 +147,8 @@ impl<'a> SceneReader<'a> {
                         size.add(scene.unfolded(&surface)?);
                         Ok(())
                     })?;
+                    let primitives = self.root.get(placed.mesh).map_or(0, |mesh| mesh.primitives.len());
+                    size.bytes = size.bytes.saturating_add(VISITED * primitives as u64);
                     if let Some(known) = size_of.get_mut(placed.mesh.value()) {
                         *known = Some(size);
                     }

@@ -98,6 +98,19 @@ pub fn load_with_progress(path: &Path, progress: &dyn Progress) -> Result<Triang
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`].
 pub fn load_labelled(path: &Path, progress: &dyn Progress) -> Result<LabelledMesh, LoadError> {
+    load_labelled_within(path, u64::MAX, progress)
+}
+
+/// Like [`load_labelled`], but refuses a file of more than `most_bytes`, before it is read: with the files beside it that it names,
+/// and the buffers that it holds as text. By the table of the module, that bounds memory as well.
+///
+/// # Errors
+/// [`LoadError`] as for [`load_with_progress`]; [`Problem::TooLong`].
+pub fn load_labelled_within(
+    path: &Path,
+    most_bytes: u64,
+    progress: &dyn Progress,
+) -> Result<LabelledMesh, LoadError> {
     let load = || {
         let Some(format) = Format::of(path) else {
             if path.is_dir() {
@@ -106,8 +119,9 @@ pub fn load_labelled(path: &Path, progress: &dyn Progress) -> Result<LabelledMes
             let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
             return Err(Problem::UnknownExtension { extension }.into());
         };
-        let bytes = read_file(path, progress)?;
-        read_beside(format, &bytes, path.parent(), progress)
+        let bytes = read_file(path, most_bytes, progress)?;
+        let left = most_bytes - bytes.len() as u64;
+        read_beside(format, &bytes, Beside { folder: path.parent(), most_bytes: left }, progress)
     };
     load().map_err(|located: Located| located.in_file(path))
 }
@@ -131,14 +145,24 @@ pub fn read_labelled(
     bytes: &[u8],
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, LoadError> {
-    read_beside(format, bytes, None, progress).map_err(|located| located.in_file(Path::new(name)))
+    read_beside(format, bytes, Beside { folder: None, most_bytes: u64::MAX }, progress).map_err(|located| located.in_file(Path::new(name)))
 }
 
-/// Reads a mesh whose neighbour files, if it has any, lie in `folder`.
+/// Where a mesh's neighbour files lie.
+#[derive(Debug, Clone, Copy)]
+struct Beside<'a> {
+    /// `None` if none may be read.
+    folder: Option<&'a Path>,
+    /// Most bytes of them all.
+    #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has neighbour files"))]
+    most_bytes: u64,
+}
+
+/// Reads a mesh, with its neighbour files if it has any.
 fn read_beside(
     format: Format,
     bytes: &[u8],
-    folder: Option<&Path>,
+    beside: Beside<'_>,
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, Located> {
     progress.check()?;
@@ -147,14 +171,14 @@ fn read_beside(
     }
     let mut placing = Placing::NARROW;
     for _ in 1..MOST_ATTEMPTS {
-        let labelled = read_once(format, bytes, folder, placing, progress)?;
+        let labelled = read_once(format, bytes, beside, placing, progress)?;
         match placing.better(&labelled.mesh) {
             // What was read is dropped before the file is read anew.
             Some(better) => placing = better,
             None => return Ok(labelled),
         }
     }
-    read_once(format, bytes, folder, placing, progress)
+    read_once(format, bytes, beside, placing, progress)
 }
 
 /// Reads a mesh with positions that are made as `placing` says.
@@ -162,7 +186,7 @@ fn read_once(
     format: Format,
     bytes: &[u8],
     #[cfg_attr(not(feature = "gltf"), expect(unused_variables, reason = "only glTF has neighbour files"))]
-    folder: Option<&Path>,
+    beside: Beside<'_>,
     #[cfg_attr(
         not(any(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")),
         expect(unused_variables, reason = "without a format nothing is read")
@@ -184,7 +208,7 @@ fn read_once(
         Format::Gltf => {
             // Parsed in one go, and assembled in a stage of its own.
             steps.report(bytes.len())?;
-            return gltf::read(bytes, folder, placing, progress);
+            return gltf::read(bytes, beside, placing, progress);
         }
         #[cfg(not(all(feature = "obj", feature = "ply", feature = "off", feature = "stl", feature = "gltf")))]
         format => Err(Problem::FeatureOff { format }.into()),
@@ -197,8 +221,8 @@ fn read_once(
 /// Bytes read from a file at a time: large enough that the system call costs nothing, small enough to stop at.
 const READ_AT_ONCE: u64 = 8 * 1024 * 1024;
 
-/// The whole file.
-fn read_file(path: &Path, progress: &dyn Progress) -> Result<Vec<u8>, Located> {
+/// The whole file, if it is not too long.
+fn read_file(path: &Path, most_bytes: u64, progress: &dyn Progress) -> Result<Vec<u8>, Located> {
     let refused = |error: io::Error| match error.kind() {
         io::ErrorKind::NotFound => Problem::Missing,
         io::ErrorKind::IsADirectory => Problem::Directory,
@@ -212,10 +236,18 @@ fn read_file(path: &Path, progress: &dyn Progress) -> Result<Vec<u8>, Located> {
     if !metadata.is_file() {
         return Err(Problem::NoRegularFile.into());
     }
+    let too_long = |found: u64| Located::from(Problem::TooLong { found, limit: most_bytes });
+    if metadata.len() > most_bytes {
+        return Err(too_long(metadata.len()));
+    }
     let mut file = File::open(path).map_err(refused)?;
     let mut steps = Steps::begin(progress, "reading", usize::try_from(metadata.len()).unwrap_or(usize::MAX));
     let mut bytes = Vec::new();
     while file.by_ref().take(READ_AT_ONCE).read_to_end(&mut bytes).map_err(refused)? > 0 {
+        // It may have grown since.
+        if bytes.len() as u64 > most_bytes {
+            return Err(too_long(bytes.len() as u64));
+        }
         steps.report(bytes.len())?;
     }
     Ok(bytes)

@@ -1,5 +1,6 @@
 //! Loading: what each format yields, down to the bit, and how each bad file is refused.
 
+mod bounds;
 mod cancelling;
 mod expectations;
 mod far;

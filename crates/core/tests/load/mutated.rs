@@ -1,9 +1,10 @@
 //! Good files of OBJ, PLY, OFF and STL, changed in ways in which files go bad: each is read, or refused in one line, within
 //! memory that grows with its length.
 
-use crate::robustness::{WORDS, good_files};
+use crate::robustness::good_files;
 use silhouette_core::NoProgress;
 use silhouette_core::load::{Format, read};
+use silhouette_testing::mutations::mutate;
 use silhouette_testing::random::Random;
 use std::io::Write as _;
 use std::time::{Duration, Instant};
@@ -40,36 +41,6 @@ fn more_files() -> Vec<(Format, Vec<u8>)> {
         (Format::Ply, (ply + &rows + faces).replace('\n', "\r").into_bytes()),
         (Format::Stl, stl.as_bytes().to_vec()),
     ]
-}
-
-/// One of the ways in which files go bad.
-fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
-    let length = bytes.len().max(1);
-    let at = random.below(length).min(bytes.len());
-    let end = (at + random.below(1 + length / 4)).min(bytes.len());
-    match random.below(9) {
-        0 => bytes.truncate(at),
-        1 => drop(bytes.drain(at..end)),
-        2 => {
-            // A stretch of the file again, somewhere else.
-            let stretch = bytes[at..end].to_vec();
-            let to = random.below(bytes.len() + 1);
-            bytes.splice(to..to, stretch);
-        }
-        3 => {
-            let word = WORDS[random.below(WORDS.len())];
-            let end = (at + random.below(4)).min(bytes.len());
-            bytes.splice(at..end, word.bytes());
-        }
-        4 => bytes[at..end].reverse(),
-        5 => bytes.iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b" \r"[at % 2]),
-        6 => bytes[at..end].iter_mut().filter(|byte| byte.is_ascii_digit()).for_each(|byte| *byte = b'1' + (*byte % 8)),
-        _ => {
-            for byte in bytes.get_mut(at..(at + 1 + random.below(4)).min(end.max(at))).into_iter().flatten() {
-                *byte = random.bits() as u8;
-            }
-        }
-    }
 }
 
 #[test]

@@ -5,6 +5,7 @@ use crate::expectations::square_rows;
 use proptest::prelude::*;
 use silhouette_core::NoProgress;
 use silhouette_core::load::{Format, read};
+use silhouette_testing::mutations::WORDS;
 
 /// Good files of every format and encoding.
 pub fn good_files() -> Vec<(Format, Vec<u8>)> {
@@ -48,30 +49,6 @@ fn check(format: Format, bytes: &[u8]) -> Result<(), TestCaseError> {
     }
     Ok(())
 }
-
-/// Words that sit where readers make decisions: huge, negative, odd, missing.
-pub const WORDS: [&str; 20] = [
-    "4294967295",
-    "-1",
-    "0",
-    "99999999999999999999",
-    "nan",
-    "1e39",
-    " ",
-    "\n",
-    "\\\n",
-    "#",
-    "list",
-    "/",
-    "\0",
-    "\u{ff}",
-    "\r",
-    " \\ \n",
-    "OFF",
-    "18446744073709551615",
-    "end loop",
-    "endsolid",
-];
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 512, ..ProptestConfig::default() })]

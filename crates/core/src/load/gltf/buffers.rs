@@ -1,6 +1,7 @@
 //! The GLB container, and buffers from its binary chunk, from data URIs and from files beside the document.
 
 use super::dangling::dangling;
+use crate::load::Beside;
 use crate::load::error::{Located, Problem, quote};
 use ::gltf::json::{Buffer, Index, Root};
 use base64::Engine as _;
@@ -71,13 +72,13 @@ impl<'a> Chunks<'a> {
 /// The buffers of a document, each fetched when it is first needed.
 pub(super) struct Buffers<'a> {
     blob: Option<&'a [u8]>,
-    folder: Option<&'a Path>,
+    beside: Beside<'a>,
     fetched: BTreeMap<usize, Cow<'a, [u8]>>,
 }
 
 impl<'a> Buffers<'a> {
-    pub(super) fn new(blob: Option<&'a [u8]>, folder: Option<&'a Path>) -> Self {
-        Self { blob, folder, fetched: BTreeMap::new() }
+    pub(super) fn new(blob: Option<&'a [u8]>, beside: Beside<'a>) -> Self {
+        Self { blob, beside, fetched: BTreeMap::new() }
     }
 
     /// Bytes of the buffers fetched from other files so far, or decoded from text.
@@ -121,7 +122,7 @@ impl<'a> Buffers<'a> {
     fn read_file(&self, uri: &str, length: u64) -> Result<Vec<u8>, Problem> {
         let name = unescape(uri);
         let what = || format!("the buffer {}", quote(uri.as_bytes()));
-        let Some(folder) = self.folder else {
+        let Some(folder) = self.beside.folder else {
             return Err(Problem::Unsupported {
                 what: what(),
                 mend: "load the document from its file, or embed its buffers",
@@ -143,6 +144,10 @@ impl<'a> Buffers<'a> {
                 what: what(),
                 mend: "put the buffer beside the document, as a plain file",
             });
+        }
+        let (found, limit) = (self.external_bytes().saturating_add(length), self.beside.most_bytes);
+        if found > limit {
+            return Err(Problem::TooLong { found, limit });
         }
         let mut bytes = Vec::new();
         File::open(&path).map_err(unreadable)?.take(length).read_to_end(&mut bytes).map_err(unreadable)?;

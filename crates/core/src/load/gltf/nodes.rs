@@ -111,6 +111,7 @@ impl Placements {
             self.visit(root, &others, &mut worlds)?;
         }
         let mut skins = HashMap::new();
+        let mut matrices = 0;
         let mut placed = Vec::new();
         for index in visited {
             let (node, world) = (&root.nodes[index], worlds[index].unwrap_or_default());
@@ -123,7 +124,14 @@ impl Placements {
                 Some(skin) => {
                     let joints = match skins.get(&skin.value()) {
                         Some(joints) => Rc::clone(joints),
-                        None => joints(root, buffers, skin, &worlds).map_err(element)?.into(),
+                        None => {
+                            matrices += matrices_of(root, skin).map_err(element)?;
+                            if matrices > limit {
+                                let what = "matrices of joints";
+                                return Err(Problem::TooLarge { what, count: matrices, limit }.into());
+                            }
+                            joints(root, buffers, skin, &worlds).map_err(element)?.into()
+                        }
                     };
                     skins.insert(skin.value(), Rc::clone(&joints));
                     put(Transform::Skinned(joints));
@@ -218,6 +226,13 @@ impl Placements {
 /// A rotation is stored to 32 bits at best, so it is of unit length only up to its rounding.
 fn unit(rotation: DQuat) -> DQuat {
     if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY }
+}
+
+/// How many matrices [`joints`] makes and reads for a skin.
+fn matrices_of(root: &Root, skin: Index<Skin>) -> Result<u64, Problem> {
+    let skin = root.get(skin).ok_or_else(|| dangling("skins", root.skins.len()))?;
+    let inverse = skin.inverse_bind_matrices.map_or(Ok(0), |accessor| count(root, accessor))?;
+    Ok(inverse.saturating_add(skin.joints.len() as u64))
 }
 
 /// For each joint of a skin the matrix that takes the mesh's own space to the world.
