@@ -110,14 +110,12 @@ fn united(mut spans: Vec<[BigRational; 2]>) -> Vec<[BigRational; 2]> {
     all
 }
 
-/// The pairs of places at which rings pass over a line. A face that is seen edge-on may part a hole in two by a sliver as wide
-/// as rounding, which is nothing here.
+/// The pairs of places at which rings pass over a line.
 fn between(rings: &[Vec<Place>], x: &BigRational) -> Vec<[BigRational; 2]> {
     let mut places: Vec<BigRational> =
         rings.iter().flat_map(|ring| sides(ring)).filter_map(|side| over(side, x)).collect();
     places.sort();
-    let spans = places.chunks_exact(2).filter(|pair| pair[0] < pair[1]);
-    united(spans.map(|pair| [pair[0].clone(), pair[1].clone()]).collect())
+    places.chunks_exact(2).map(|pair| [pair[0].clone(), pair[1].clone()]).collect()
 }
 
 /// Twice the area that a ring runs around counter-clockwise.
@@ -153,7 +151,10 @@ struct Tally {
 fn is_within_side(ring: &[DVec2], at: usize) -> bool {
     let [before, after] = [at + ring.len() - 1, at + 1].map(|index| ring[index % ring.len()]);
     let along = (after - before).normalize_or_zero();
-    along.perp_dot(ring[at] - before).abs() <= MOST_OFF_PX && along.dot(ring[at] - before) > 0.0
+    let (share, beside) = (along.dot(ring[at] - before), along.perp_dot(ring[at] - before));
+    // Two points may stand for one place, in either order.
+    let sides = -MOST_OFF_PX..=before.distance(after) + MOST_OFF_PX;
+    beside.abs() <= MOST_OFF_PX && sides.contains(&share)
 }
 
 /// In what regions of rings, in pixels, differ from what a mesh covers.

@@ -76,6 +76,12 @@ impl Cells {
         [0, 1].map(|axis| ((point[axis] - self.origin[axis]) / self.step) as usize)
     }
 
+    /// The cell that a point lies in or is next to.
+    pub fn nearest(&self, point: Point) -> [usize; 2] {
+        let clamped = |axis: usize| point[axis].clamp(self.line(axis, 0), self.line(axis, self.count[axis]) - 1);
+        self.cell_of([clamped(0), clamped(1)])
+    }
+
     /// A cell's place among all.
     pub fn index(&self, [column, row]: [usize; 2]) -> usize {
         row * self.count[0] + column

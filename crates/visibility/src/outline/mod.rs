@@ -8,7 +8,7 @@
 //!    area is kept, which on a scan is little.
 //! 3. `cycles.rs`, `union.rs`: what remains is united by `i_overlay`, with the rule that a point is inside where its winding
 //!    number is above 0.
-//! 4. `spikes.rs`: slivers as wide as rounding are left out.
+//! 4. `seal.rs`: slivers as wide as rounding are closed.
 //! 5. `nesting.rs`: the rings are sorted into regions.
 //!
 //! The winding number of a point is the number of layers there, which is why closed and open meshes, meshes that are wound
@@ -21,7 +21,7 @@ mod cycles;
 mod lattice;
 mod nesting;
 mod resolve;
-mod spikes;
+mod seal;
 mod union;
 mod window;
 
@@ -96,9 +96,7 @@ pub fn outline(
     // Only a crowd is worth looking for edges that lie on each other.
     let bounds = resolve::resolve(&chain).or_else(|_| resolve::resolve(&chain::without_repeats(chain)))?;
     progress.check()?;
-    let rings = union::union(&cycles::cycles(bounds));
-    let rings = rings.iter().filter_map(|ring| spikes::without_spikes(ring));
-    let regions = nesting::regions(rings.collect());
+    let regions = nesting::regions(seal::sealed(union::union(&cycles::cycles(bounds))));
     let in_pixels = |ring: Vec<Point>| ring.into_iter().map(pixel).collect();
     Ok(Outline::of_regions(regions.into_iter().map(|region| region.into_iter().map(in_pixels).collect())))
 }
