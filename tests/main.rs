@@ -4,6 +4,7 @@ mod analytic;
 mod cut_sets;
 mod errors;
 mod exactness;
+mod lesser_devices;
 mod measures;
 mod oracle;
 mod publishing;
