@@ -9,6 +9,7 @@ mod exact;
 mod exactness;
 mod invariance;
 mod invariants;
+mod lesser_devices;
 mod measures;
 mod oracle;
 mod publishing;

@@ -10,7 +10,7 @@ const GPU_CRATES: [&str; 2] = ["silhouette-gpu", "silhouette-render"];
 /// Crates that must build without wgpu and without a C++ compiler once default features are off, as method crates must.
 const LEAN_CRATES: [&str; 2] = ["silhouette-core", "silhouette-visibility"];
 /// Crates that only tests may depend on.
-const TEST_CRATES: [&str; 1] = ["silhouette-testing"];
+const TEST_CRATES: [&str; 2] = ["silhouette-entry-points", "silhouette-testing"];
 
 const MAX_RUST_LINES: usize = 600;
 const MAX_WGSL_LINES: usize = 150;
@@ -153,6 +153,32 @@ pub fn sources() -> Vec<PathBuf> {
         }
     }
     files
+}
+
+/// Where the lint against `unsafe` may not reach: manifests that do not take the workspace's lints.
+fn without_lints(manifests: &[(PathBuf, String)]) -> Vec<String> {
+    let takes_them = |text: &str| text.contains("[lints]\nworkspace = true");
+    let outside = manifests.iter().filter(|(_, text)| text.contains("[package]") && !takes_them(text));
+    outside.map(|(path, _)| path.display().to_string()).collect()
+}
+
+/// `forbid` cannot be overridden in source; so it holds wherever a manifest takes the lints, and all do.
+#[test]
+fn unsafe_code_is_forbidden_everywhere() {
+    let workspace = std::fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    assert!(workspace.contains("[workspace.lints.rust]\n") && workspace.contains("unsafe_code = \"forbid\"\n"));
+    let metadata: Value = serde_json::from_str(&cargo(&["metadata", "--no-deps", "--format-version=1"])).unwrap();
+    let manifests: Vec<(PathBuf, String)> = metadata["packages"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|package| PathBuf::from(package["manifest_path"].as_str().unwrap()))
+        .map(|path| (path.clone(), std::fs::read_to_string(path).unwrap()))
+        .collect();
+    assert!(manifests.len() > 18, "{} packages", manifests.len());
+    assert_eq!(without_lints(&manifests), Vec::<String>::new());
+    let outside = (PathBuf::from("Cargo.toml"), "[package]\nname = \"x\"\n\n[lints.rust]\n".to_owned());
+    assert_eq!(without_lints(&[outside]).len(), 1, "the check can fail");
 }
 
 #[test]

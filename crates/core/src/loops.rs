@@ -15,8 +15,9 @@
 use crate::facing::FaceFacings;
 use crate::id::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::mesh::TriangleMesh;
-use crate::silhouette::SilhouetteEdges;
+use crate::silhouette::{SilhouetteEdges, is_silhouette_edge};
 use crate::topology::{Topology, Twin};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// Closed loops of silhouette half-edges, front face on the left, seen from the viewer's side of the surface.
@@ -160,6 +161,8 @@ pub struct LoopWalker {
     silhouette: Vec<u64>,
     /// A bit a half-edge; all zero between calls.
     visited: Vec<u64>,
+    /// Whether non-manifold edges that were not found are silhouette edges; empty between calls.
+    looked_at: HashMap<EdgeId, bool>,
 }
 
 impl LoopWalker {
@@ -180,15 +183,23 @@ impl LoopWalker {
     ) {
         out.clear();
         self.visited.resize(topology.half_edge_count().div_ceil(64), 0);
+        let mut looked_at = std::mem::take(&mut self.looked_at);
         let mut is_front = |face| facings.is_front(face);
         for &start in edges.iter().flat_map(|edge| topology.half_edges(edge)) {
             if facings.is_front(start.face()) && !is_set(&self.visited, start.index()) {
                 self.follow(start, out, |_, half_edge| {
-                    let is_silhouette = |_: &mut _, edge| edges.contains(edge);
+                    // A walk that takes a silhouette edge for another one, since it was not found, leaves the fan for good. Its
+                    // faces are looked at once, not each time that a walk comes to it.
+                    let is_silhouette = |_: &mut _, edge| {
+                        edges.contains(edge)
+                            || *looked_at.entry(edge).or_insert_with(|| is_silhouette_edge(topology, facings, edge))
+                    };
                     next_silhouette_half_edge(topology, &mut is_front, is_silhouette, half_edge)
                 });
             }
         }
+        looked_at.clear();
+        self.looked_at = looked_at;
         self.forget(out);
     }
 
@@ -270,7 +281,8 @@ impl LoopWalker {
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.silhouette.as_slice()) + size_of_val(self.visited.as_slice())
+        let looked_at = self.looked_at.capacity() * size_of::<(EdgeId, bool)>();
+        size_of_val(self.silhouette.as_slice()) + size_of_val(self.visited.as_slice()) + looked_at
     }
 }
 

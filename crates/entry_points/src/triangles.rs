@@ -4,6 +4,7 @@ use crate::bytes::Bytes;
 use crate::check_message;
 use silhouette_compare::registry::{Entry, Registry};
 use silhouette_core::glam::Vec3;
+use silhouette_core::loops::LoopWalker;
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::{
@@ -76,8 +77,13 @@ fn check_method(entry: &Entry, mesh: &Arc<PreparedMesh>, topology: &Topology, vi
         if let Some(method) = method.edges() {
             check.edges(method, view);
         }
-        if let Some(method) = method.loops() {
-            check.loops(method, view);
+        match method.loops() {
+            Some(method) => check.loops(method, view),
+            None => {
+                if let Some(method) = method.edges() {
+                    check.loops_of_edges(method, view);
+                }
+            }
         }
         if let Some(method) = method.curves() {
             let mut curves = SilhouetteCurves::default();
@@ -117,6 +123,16 @@ impl Check<'_> {
         } else {
             assert!(found.iter().all(|edge| expected.contains(edge)), "{} from {view:?}: {found:?}", self.name);
         }
+    }
+
+    /// The loops through the edges of a method that finds no loops, and perhaps not all edges.
+    fn loops_of_edges(&self, method: &mut dyn ExtractsEdges, view: &Viewpoint) {
+        let (mut found, mut loops) = (SilhouetteEdges::default(), SilhouetteLoops::default());
+        method.extract_edges(view, &mut found);
+        LoopWalker::default().walk(self.topology, &FaceFacings::new(self.mesh, view), &found, &mut loops);
+        let expected = self.expected(view);
+        let are_silhouette = loops.half_edges().iter().all(|&side| expected.contains(self.topology.edge_of(side)));
+        assert!(are_silhouette, "{} from {view:?}: {loops:?}", self.name);
     }
 
     fn loops(&self, method: &mut dyn ExtractsLoops, view: &Viewpoint) {

@@ -22,22 +22,22 @@ pub enum GpuError {
         value: String,
     },
     /// The adapter gave no device.
-    #[error("the adapter gave no device: {0}")]
+    #[error("the adapter gave no device: {0}; update its driver, or choose another with SILHOUETTES_ADAPTER=software")]
     NoDevice(wgpu::RequestDeviceError),
     /// Something was used wrongly: a defect of the caller or of this crate.
-    #[error("wgpu refused: {0}")]
+    #[error("wgpu refused: {0}; this is a defect, please report it")]
     Validation(String),
     /// The device has no memory left.
     #[error("the GPU is out of memory; use a smaller size or fewer samples")]
     OutOfMemory,
     /// The driver failed.
-    #[error("the GPU driver failed: {0}")]
+    #[error("the GPU driver failed: {0}; update it, or draw in software with SILHOUETTES_ADAPTER=software")]
     Internal(String),
     /// The device is gone (driver reset, unplugged, destroyed); a new [`Gpu`](crate::Gpu) is needed.
-    #[error("the GPU device was lost: {0}")]
+    #[error("the GPU device was lost: {0}; run it again, with fewer or smaller pictures if that repeats")]
     Lost(String),
     /// The device did not finish in time.
-    #[error("the GPU did not finish within {seconds} s")]
+    #[error("the GPU did not finish within {seconds} s; use a smaller size or a simpler mesh")]
     TimedOut {
         /// How long was waited.
         seconds: u64,

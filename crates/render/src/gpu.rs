@@ -48,15 +48,42 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::NoAdapter`] with the remedy, or [`GpuError::NoDevice`].
     pub fn new(choice: AdapterChoice) -> Result<Self, GpuError> {
+        Self::open(choice, |adapter| (adapter.features(), adapter.limits()))
+    }
+
+    /// The same with a device that has no more than these features and limits, whatever the adapter has: what an application meets
+    /// on a lesser one.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn lesser(
+        choice: AdapterChoice,
+        features: wgpu::Features,
+        limits: &wgpu::Limits,
+    ) -> Result<Self, GpuError> {
+        Self::open(choice, |adapter| {
+            (adapter.features() & features, adapter.limits().or_worse_values_from(limits))
+        })
+    }
+
+    /// Opens an adapter with those of [`WANTED_FEATURES`] and the limits that `allowed` yields.
+    fn open(
+        choice: AdapterChoice,
+        allowed: impl FnOnce(&wgpu::Adapter) -> (wgpu::Features, wgpu::Limits),
+    ) -> Result<Self, GpuError> {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
         descriptor.backends = wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12;
         let instance = wgpu::Instance::new(descriptor);
         let adapter = adapter::choose(&instance, choice)?;
-        let description = AdapterDescription::new(&adapter);
+        let (features, limits) = allowed(&adapter);
+        let features = features & WANTED_FEATURES;
+        let mut description = AdapterDescription::new(&adapter);
+        description.timestamps &= features.contains(wgpu::Features::TIMESTAMP_QUERY);
+        description.max_texture_px = limits.max_texture_dimension_2d;
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("silhouettes"),
-            required_features: adapter.features() & WANTED_FEATURES,
-            required_limits: adapter.limits(),
+            required_features: features,
+            required_limits: limits,
             ..Default::default()
         }))?;
 
