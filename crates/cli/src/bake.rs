@@ -8,11 +8,12 @@ use crate::progress::TerminalProgress;
 use crate::winding::Winding;
 use glam::DVec3;
 use silhouette_compare::machine::describe_program;
-use silhouette_core::{Method, MethodOptions};
-use silhouette_texture::bake::BakeError;
+use silhouette_compare::runner::NamedMesh;
+use silhouette_core::{Method, MethodOptions, Progress};
+use silhouette_texture::bake::{BakeError, BakeReport};
 use silhouette_texture::method::{TextureError, bake, hull as make_hull};
 use silhouette_texture::siltex::{self, Metadata};
-use silhouette_texture::{Hull, Texture, TextureOptions};
+use silhouette_texture::{Hull, SilhouetteTexture, Texture, TextureOptions};
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -41,37 +42,16 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, arguments.orient.winding(true), &progress)?;
     let mesh = named.mesh.mesh();
-    let failed = |error: TextureError| match error {
-        TextureError::Bake(error @ BakeError::Checkpoint { .. }) => Failure::Input(error.to_string()),
-        TextureError::FeatureOff => Failure::run(error),
-        error => Failure::Input(format!("{}: {error}", named.name)),
-    };
 
     let start = Instant::now();
-    let hull = match &arguments.hull {
-        Some(given) => {
-            let hull = input::mesh(given, Winding::AsItIs, &progress)?;
-            let placed = hull.mesh.mesh().relative_to(mesh.origin());
-            let placed = placed.map_err(|error| Failure::Input(format!("{given}: {error}")))?;
-            let checked = Hull::checked(mesh, placed);
-            checked.map_err(|error| Failure::Input(format!("{given}: {error}")))?
-        }
-        None => make_hull(mesh, choice.hull_vertices, &progress).map_err(failed)?,
-    };
+    let given = arguments.hull.as_ref().map(|given| input::mesh(given, Winding::AsItIs, &progress)).transpose()?;
     let checkpoint = checkpoint(path);
-    let (texture, report) =
-        bake(mesh, &hull, choice.options, choice.terms, &progress, Some(&checkpoint)).map_err(failed)?;
+    let Baked { hull, texture, report } = baked(&named, given.as_ref(), &options, Some(&checkpoint), &progress)?;
     if report.restored_tiles > 0 {
         let (restored, tiles) = (report.restored_tiles, report.tiles);
         failure::note(format!("went on from {}: {restored} of {tiles} tiles were finished", checkpoint.display()));
     }
-    let values = options.values()?.to_string();
-    let metadata = [("mesh", named.name.clone()), ("options", values), ("program", describe_program())];
-    let mut metadata: Metadata = metadata.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
-    if mesh.origin() != DVec3::ZERO {
-        let [x, y, z] = mesh.origin().to_array();
-        metadata.insert(ORIGIN.to_owned(), format!("{x} {y} {z}"));
-    }
+    let metadata = metadata(&named, &options)?;
     siltex::write(path, &texture, &metadata, &progress).map_err(Failure::input)?;
     std::fs::remove_file(&checkpoint).map_err(|error| Failure::Run(format!("{}: {error}", checkpoint.display())))?;
     drop(progress);
@@ -104,6 +84,62 @@ pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
         ));
     }
     Ok(())
+}
+
+/// A silhouette texture that was baked.
+pub struct Baked {
+    /// The hull.
+    pub hull: Hull,
+    /// The texture, which holds the hull as well.
+    pub texture: SilhouetteTexture,
+    /// What it took.
+    pub report: BakeReport,
+}
+
+/// Bakes the texture of a mesh, on a hull that is given or made. Finished tiles lie at `checkpoint` meanwhile, if there is one.
+///
+/// # Errors
+/// [`Failure`]: the mesh has no hull, the one that is given does not enclose it, or the work was cancelled.
+pub fn baked(
+    named: &NamedMesh,
+    hull: Option<&NamedMesh>,
+    options: &TextureOptions,
+    checkpoint: Option<&Path>,
+    progress: &dyn Progress,
+) -> Result<Baked, Failure> {
+    let (mesh, choice) = (named.mesh.mesh(), options.bake());
+    let failed = |error: TextureError| match error {
+        TextureError::Bake(error @ BakeError::Checkpoint { .. }) => Failure::Input(error.to_string()),
+        TextureError::FeatureOff => Failure::run(error),
+        error => Failure::Input(format!("{}: {error}", named.name)),
+    };
+    let hull = match hull {
+        Some(given) => {
+            let placed = given.mesh.mesh().relative_to(mesh.origin());
+            let placed = placed.map_err(|error| Failure::Input(format!("{}: {error}", given.name)))?;
+            let checked = Hull::checked(mesh, placed);
+            checked.map_err(|error| Failure::Input(format!("{}: {error}", given.name)))?
+        }
+        None => make_hull(mesh, choice.hull_vertices, progress).map_err(failed)?,
+    };
+    let (texture, report) = bake(mesh, &hull, choice.options, choice.terms, progress, checkpoint).map_err(failed)?;
+    Ok(Baked { hull, texture, report })
+}
+
+/// What a file of a texture says of where it comes from.
+///
+/// # Errors
+/// [`Failure::Input`]: an option does not fit.
+pub fn metadata(named: &NamedMesh, options: &TextureOptions) -> Result<Metadata, Failure> {
+    let values = options.values()?.to_string();
+    let metadata = [("mesh", named.name.clone()), ("options", values), ("program", describe_program())];
+    let mut metadata: Metadata = metadata.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+    let origin = named.mesh.mesh().origin();
+    if origin != DVec3::ZERO {
+        let [x, y, z] = origin.to_array();
+        metadata.insert(ORIGIN.to_owned(), format!("{x} {y} {z}"));
+    }
+    Ok(metadata)
 }
 
 /// Where finished tiles of an output lie meanwhile.

@@ -7,7 +7,7 @@ use crate::input;
 use crate::mesh_argument::MeshArgument;
 use crate::output::check_writable;
 use crate::progress::TerminalProgress;
-use crate::render::draws_itself;
+use crate::render::{draws_itself, open_device};
 use crate::winding::Winding;
 use arguments::CompareArguments;
 use silhouette_compare::metrics::PictureKind;
@@ -18,7 +18,7 @@ use silhouette_compare::scene::{MeshSpec, Scene};
 use silhouette_compare::sweep::{Budget, CellStore, Errors, Key, Refinement, Shard, ShardError, merge, run_shard};
 use silhouette_compare::{Comparison, Profile, Registry, report};
 use silhouette_core::Progress;
-use silhouette_render::{AdapterChoice, Gpu};
+use silhouette_render::Gpu;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -35,7 +35,7 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
     let progress = TerminalProgress::new();
     let depends = config.methods().iter().any(|choice| draws_itself(&choice.entry));
     let subjects = subjects(config.scene(), &arguments.meshes, arguments.orient.winding(depends), &progress)?;
-    let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?;
+    let gpu = open_device()?;
     let key = Key::of(&config, &subjects);
     if let Some(shard) = shard {
         let store = CellStore::open(&arguments.output, key).map_err(Failure::input)?;
@@ -81,6 +81,27 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
     comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
     store.remove().map_err(Failure::run)
+}
+
+/// What the arguments have measured, on meshes of the caller's or, where there are none, on those of the scene; nothing is written.
+///
+/// # Errors
+/// [`Failure`]: an argument or a mesh does not fit, or the run failed.
+pub fn comparison(
+    arguments: &CompareArguments,
+    meshes: &[NamedMesh],
+    gpu: &Gpu,
+    registry: &Registry,
+    progress: &dyn Progress,
+) -> Result<Comparison, Failure> {
+    let config = config(arguments, registry)?;
+    let subjects = if meshes.is_empty() {
+        subjects(config.scene(), &[], Winding::AsItIs, progress)?
+    } else {
+        let drawn = |(mesh, spec): (&NamedMesh, &MeshSpec)| subject(mesh.clone(), spec, Winding::AsItIs, progress);
+        meshes.iter().zip(&config.scene().meshes).map(drawn).collect::<Result<_, _>>()?
+    };
+    silhouette_compare::run(&config, &subjects, gpu, progress).map_err(failed)
 }
 
 /// Whether some method is there with several settings.
@@ -199,20 +220,22 @@ fn subjects(
 ) -> Result<Vec<Subject>, Failure> {
     let of_scene: Vec<&str> = scene.meshes.iter().map(MeshSpec::mesh).collect();
     let meshes = input::meshes(named, &of_scene, winding, progress)?;
-    let subject = |(mesh, spec): (NamedMesh, &MeshSpec)| {
-        if let Some(faces) = spec.simplify() {
-            let refused = |fault| Failure::Input(format!("{}: {fault}", mesh.name));
-            return Subject::simplified(&mesh, faces).map_err(refused);
-        }
-        let origin = mesh.mesh.mesh().origin();
-        let load = |name: &str| {
-            let truth = input::mesh(&name.into(), winding, progress)?;
-            let placed = truth.mesh.mesh().relative_to(origin);
-            placed.map(Arc::new).map_err(|error| Failure::Input(format!("{name}: {error}")))
-        };
-        Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
+    meshes.into_iter().zip(&scene.meshes).map(|(mesh, spec)| subject(mesh, spec, winding, progress)).collect()
+}
+
+/// A mesh as a scene wants it drawn, and what it stands for.
+fn subject(mesh: NamedMesh, spec: &MeshSpec, winding: Winding, progress: &dyn Progress) -> Result<Subject, Failure> {
+    if let Some(faces) = spec.simplify() {
+        let refused = |fault| Failure::Input(format!("{}: {fault}", mesh.name));
+        return Subject::simplified(&mesh, faces).map_err(refused);
+    }
+    let origin = mesh.mesh.mesh().origin();
+    let load = |name: &str| {
+        let truth = input::mesh(&name.into(), winding, progress)?;
+        let placed = truth.mesh.mesh().relative_to(origin);
+        placed.map(Arc::new).map_err(|error| Failure::Input(format!("{name}: {error}")))
     };
-    meshes.into_iter().zip(&scene.meshes).map(subject).collect()
+    Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
 }
 
 fn failed(error: CompareError) -> Failure {

@@ -10,13 +10,10 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
-use silhouette_compare::registry::{Capabilities, Prepared, Registry};
+use silhouette_compare::registry::{Capabilities, FoundEdges, Prepared, Registry};
 use silhouette_compare::runner::NamedMesh;
-use silhouette_core::loops::{LoopWalker, start_vertex};
 use silhouette_core::method::{ExtractionStats, OptionValues};
-use silhouette_core::{
-    FaceFacings, SilhouetteCurves, SilhouetteEdges, SilhouetteLoops, Topology, TriangleMesh, VertexId, Viewpoint,
-};
+use silhouette_core::{SilhouetteCurves, Topology, TriangleMesh, Viewpoint};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -31,17 +28,6 @@ struct Extraction {
     /// Of a method that extracts curves.
     curves: Option<SilhouetteCurves>,
     stats: ExtractionStats,
-}
-
-/// Silhouette edges, and the loops that they form.
-#[derive(serde::Serialize)]
-struct FoundEdges {
-    /// Vertices of each silhouette edge, lower one first, sorted.
-    edges: Vec<[VertexId; 2]>,
-    /// Those that are boundary edges, sorted.
-    boundary: Vec<[VertexId; 2]>,
-    /// Vertices of each loop, in order.
-    loops: Vec<Vec<VertexId>>,
 }
 
 /// The formats an extraction is written in.
@@ -89,7 +75,7 @@ pub fn run(arguments: &ExtractArguments, registry: &Registry) -> Result<(), Fail
     let mut prepared = prepared.map_err(|error| Failure::of_preparation(&name, info.name, error))?;
     let topology = mesh.artefact::<Topology>("extract", &progress)?;
     let (curves, of_curves) = curves_of(&mut prepared, &viewpoint).unzip();
-    let (edges, of_edges) = edges_of(&mut prepared, mesh.mesh(), &topology, &viewpoint).unzip();
+    let (edges, of_edges) = prepared.find_edges(mesh.mesh(), &topology, &viewpoint).unzip();
     let stats = of_edges.or(of_curves).unwrap_or_default();
     let found =
         Extraction { method: info.name, mesh: Arc::clone(mesh.mesh()), topology, viewpoint, edges, curves, stats };
@@ -122,41 +108,6 @@ fn curves_of(prepared: &mut Prepared, viewpoint: &Viewpoint) -> Option<(Silhouet
     let mut curves = SilhouetteCurves::default();
     let stats = prepared.curves()?.extract_curves(viewpoint, &mut curves);
     Some((curves, stats))
-}
-
-/// The edges that a method finds with their loops, and what finding the edges took.
-fn edges_of(
-    prepared: &mut Prepared,
-    mesh: &TriangleMesh,
-    topology: &Topology,
-    viewpoint: &Viewpoint,
-) -> Option<(FoundEdges, ExtractionStats)> {
-    let mut edges = SilhouetteEdges::default();
-    let stats = prepared.edges()?.extract_edges(viewpoint, &mut edges);
-    let loops = loops_of(prepared, &edges, mesh, topology, viewpoint);
-    let found = FoundEdges {
-        edges: edges.iter().map(|edge| topology.end_points(edge)).collect(),
-        boundary: edges.boundary(topology).map(|edge| topology.end_points(edge)).collect(),
-        loops: loops.iter().map(|half_edges| half_edges.iter().map(|&at| start_vertex(mesh, at)).collect()).collect(),
-    };
-    Some((found, stats))
-}
-
-/// The loops that a method finds; of one that finds edges only, the loops that hold these.
-fn loops_of(
-    prepared: &mut Prepared,
-    edges: &SilhouetteEdges,
-    mesh: &TriangleMesh,
-    topology: &Topology,
-    viewpoint: &Viewpoint,
-) -> SilhouetteLoops {
-    let mut loops = SilhouetteLoops::default();
-    if let Some(method) = prepared.loops() {
-        method.extract_loops(viewpoint, &mut loops);
-    } else {
-        LoopWalker::default().walk(topology, &FaceFacings::new(mesh, viewpoint), edges, &mut loops);
-    }
-    loops
 }
 
 fn wanted(path: Option<&Path>) -> Result<Wanted, Failure> {

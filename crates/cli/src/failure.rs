@@ -6,7 +6,7 @@ use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::progress::Cancelled;
 use silhouette_core::view::ViewError;
 use silhouette_render::GpuError;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -49,24 +49,30 @@ impl Failure {
         }
     }
 
-    /// What is said of it, on one line.
-    pub fn line(&self) -> String {
-        match self {
-            Self::Input(message) | Self::Run(message) => one_line(message),
-            Self::Interrupted => "interrupted; what was in progress was not written".to_owned(),
-        }
+    /// Prints the line on stderr, after the name of the program; yields the exit code.
+    pub fn report(&self, program: &str) -> ExitCode {
+        // Where stderr is closed there is nobody to tell; the exit code still says it.
+        let _ = writeln!(std::io::stderr(), "{program}: {self}");
+        ExitCode::from(self.exit_code())
     }
 
-    /// Prints the line; yields the exit code.
-    pub fn report(&self) -> ExitCode {
-        let code = match self {
+    /// What a program that fails so exits with.
+    pub fn exit_code(&self) -> u8 {
+        match self {
             Self::Input(_) => 2,
             Self::Run(_) => 1,
             Self::Interrupted => interrupt::EXIT_CODE,
-        };
-        // Where stderr is closed there is nobody to tell; the exit code still says it.
-        let _ = writeln!(std::io::stderr(), "silhouettes: {}", self.line());
-        ExitCode::from(code)
+        }
+    }
+}
+
+impl Display for Failure {
+    /// The line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(message) | Self::Run(message) => f.write_str(&one_line(message)),
+            Self::Interrupted => f.write_str("interrupted; what was in progress was not written"),
+        }
     }
 }
 
@@ -76,13 +82,13 @@ pub fn note(message: impl Display) {
     let _ = writeln!(std::io::stderr(), "silhouettes: note: {}", one_line(&message.to_string()));
 }
 
-/// clap's message as one line: its paragraphs up to the usage, which `--help` shows.
-pub fn usage(error: &clap::Error) -> Failure {
+/// clap's message as one line: its paragraphs up to the usage, which `--help` of the program shows.
+pub fn usage(error: &clap::Error, program: &str) -> Failure {
     let text = error.render().to_string();
     let lines =
         text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
     let message = lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
-    Failure::Input(format!("{} (see silhouettes --help)", message.trim_start_matches("error: ")))
+    Failure::Input(format!("{} (see {program} --help)", message.trim_start_matches("error: ")))
 }
 
 /// On one line, and without what a terminal would obey: an option or a file may hold any character, and messages quote them.
@@ -135,7 +141,7 @@ mod tests {
 
     fn message(words: &[&str]) -> String {
         let error = Arguments::try_parse_from(words).unwrap_err();
-        match usage(&error) {
+        match usage(&error, "silhouettes") {
             Failure::Input(message) | Failure::Run(message) => message,
             Failure::Interrupted => panic!("nobody interrupted"),
         }
@@ -144,7 +150,7 @@ mod tests {
     #[test]
     fn nothing_that_a_terminal_obeys_is_printed() {
         let failure = Failure::input("there is no option 'a\u{1b}[2J\0b\nc\u{9b}'; the method has none");
-        assert_eq!(failure.line(), "there is no option 'a\\u{1b}[2J\\u{0}b c\\u{9b}'; the method has none");
+        assert_eq!(failure.to_string(), "there is no option 'a\\u{1b}[2J\\u{0}b c\\u{9b}'; the method has none");
     }
 
     #[test]

@@ -12,7 +12,8 @@ use silhouette_core::origin::largest_rounding;
 use silhouette_core::prepared::Artefact;
 use silhouette_core::weld::weld_within;
 use silhouette_core::{PreparedMesh, Progress, TriangleMesh, VertexId, shapes};
-use silhouette_texture::{Textures, siltex};
+use silhouette_texture::siltex::{self, Metadata};
+use silhouette_texture::{SilhouetteTexture, Textures};
 use std::fmt::Display;
 use std::io::Read as _;
 use std::path::Path;
@@ -96,7 +97,7 @@ pub fn drawable(
 ) -> Result<NamedMesh, Failure> {
     if let Some((argument, path)) = arguments.iter().find_map(|argument| Some((argument, texture(argument)?))) {
         return match arguments.len() {
-            1 => hull_of_texture(argument, path, method),
+            1 => hull_of_file(argument, path, method),
             _ => Err(Failure::Input(format!("{argument}: a silhouette texture is drawn alone; name no other mesh"))),
         };
     }
@@ -126,7 +127,7 @@ fn texture(argument: &MeshArgument) -> Option<&Path> {
     argument.path().filter(is_texture)
 }
 
-fn hull_of_texture(argument: &MeshArgument, path: &Path, method: &Entry) -> Result<NamedMesh, Failure> {
+fn hull_of_file(argument: &MeshArgument, path: &Path, method: &Entry) -> Result<NamedMesh, Failure> {
     if !method.info().needs.contains(&Textures::NAME) {
         return Err(Failure::Input(format!(
             "{argument}: --method {} draws no silhouette textures; choose texture, texture-lines or normal-map-hull",
@@ -137,9 +138,14 @@ fn hull_of_texture(argument: &MeshArgument, path: &Path, method: &Entry) -> Resu
         return Err(too_long(argument));
     }
     let siltex::Siltex { texture, metadata, .. } = siltex::read(path).map_err(Failure::input)?;
-    let hull = texture.parts().hull.mesh().as_ref().clone().with_origin(bake::origin(&metadata));
-    let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(texture));
-    Ok(NamedMesh { name: file_name(path), mesh: Arc::new(mesh) })
+    Ok(hull_of_texture(file_name(path), &Arc::new(texture), &metadata))
+}
+
+/// The hull of a silhouette texture as a mesh that methods draw by that texture.
+pub fn hull_of_texture(name: String, texture: &Arc<SilhouetteTexture>, metadata: &Metadata) -> NamedMesh {
+    let hull = texture.parts().hull.mesh().as_ref().clone().with_origin(bake::origin(metadata));
+    let mesh = PreparedMesh::new(hull).with_artefact(Textures::given(Arc::clone(texture)));
+    NamedMesh { name, mesh: Arc::new(mesh) }
 }
 
 fn file_name(path: &Path) -> String {

@@ -7,8 +7,10 @@
 //! 0 done, 1 the run failed, 2 bad usage or bad input, 130 interrupted by Ctrl-C. A failure is one line on stderr that names the place
 //! and the mend. Results go to stdout or to `-o`, progress and notes to stderr.
 
+pub mod application;
 mod args;
 mod bake;
+pub mod calls;
 mod camera;
 mod compare;
 mod doctor;
@@ -36,37 +38,52 @@ mod winding;
 pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 
 use args::{Arguments, Command};
-use clap::FromArgMatches;
 use failure::Failure;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
+/// What lines on stderr begin with.
+pub(crate) const PROGRAM: &str = "silhouettes";
+
+/// Runs the command that `words` say, the program's own name not among them, as [`run`] runs that of the process's arguments, but
+/// leaves the failure to the caller.
+///
+/// # Errors
+/// [`Failure`](application::Failure): the command failed, or there is no such command.
+pub fn execute(words: impl IntoIterator<Item = impl Into<OsString>>, registry: &Registry) -> Result<(), Failure> {
+    let words = std::iter::once(PROGRAM.into()).chain(words.into_iter().map(Into::into));
+    dispatch(calls::arguments(words, registry).map_err(|error| failure::usage(&error, PROGRAM))?, registry)
+}
+
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {
-    let matches = methods::command(registry).try_get_matches_from(spoken::joined(std::env::args_os()));
-    let result = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
+    ExitCode::from(exit_code(std::env::args_os(), registry))
+}
+
+/// Runs the command that `words` say, that of the program first, as a whole program does: listens for Ctrl-C, prints what goes wrong, and
+/// yields what the process is to exit with.
+pub fn exit_code(words: impl IntoIterator<Item = OsString>, registry: &Registry) -> u8 {
+    let result = match calls::arguments(words, registry) {
         Ok(arguments) => {
             if arguments.command.may_open_device() {
                 mesa::silence();
             }
             interrupt::listen();
-            input::limit_bytes(arguments.limit_bytes.unwrap_or(u64::MAX));
-            dispatch(arguments.command, registry)
+            dispatch(arguments, registry)
         }
         Err(error) if !error.use_stderr() => {
             // Help and version: clap's own text, on stdout. A reader such as `head` that has seen enough is no failure.
             return match error.print() {
-                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
-                _ => ExitCode::SUCCESS,
+                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => 1,
+                _ => 0,
             };
         }
-        Err(error) => Err(failure::usage(&error)),
+        Err(error) => Err(failure::usage(&error, PROGRAM)),
     };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(_) if interrupt::is_asked() => Failure::Interrupted.report(),
-        Err(failure) => failure.report(),
-    }
+    let Err(failure) = result else { return 0 };
+    let failure = if interrupt::is_asked() { Failure::Interrupted } else { failure };
+    failure.report(PROGRAM);
+    failure.exit_code()
 }
 
 /// Whether a command line can be read, without doing what it says: its words, without the program's name.
@@ -74,16 +91,16 @@ pub fn run(registry: &Registry) -> ExitCode {
 /// # Errors
 /// The line that [`run`] would print for it.
 pub fn check(words: impl IntoIterator<Item = OsString>, registry: &Registry) -> Result<(), String> {
-    let words = std::iter::once("silhouettes".into()).chain(words);
-    let matches = methods::command(registry).try_get_matches_from(spoken::joined(words));
-    match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
-        Err(error) if error.use_stderr() => Err(failure::usage(&error).line()),
+    let words = std::iter::once(PROGRAM.into()).chain(words);
+    match calls::arguments(words, registry) {
+        Err(error) if error.use_stderr() => Err(failure::usage(&error, PROGRAM).to_string()),
         _ => Ok(()),
     }
 }
 
-fn dispatch(command: Command, registry: &Registry) -> Result<(), Failure> {
-    match command {
+fn dispatch(arguments: Arguments, registry: &Registry) -> Result<(), Failure> {
+    input::limit_bytes(arguments.limit_bytes.unwrap_or(u64::MAX));
+    match arguments.command {
         Command::Doctor => doctor::run(registry),
         Command::Methods(arguments) => methods::run(&arguments, registry),
         Command::Inspect(arguments) => inspect::run(&arguments),

@@ -60,7 +60,8 @@ struct Row {
     capabilities: Capabilities,
 }
 
-fn json(entries: &[Entry]) -> Result<String, Failure> {
+/// All that is known of these methods as JSON, an array.
+pub fn json(entries: &[Entry]) -> Result<String, Failure> {
     let rows: Vec<Row> =
         entries.iter().map(|entry| Row { info: entry.info(), capabilities: entry.capabilities() }).collect();
     Ok(serde_json::to_string_pretty(&rows).map_err(Failure::run)? + "\n")
@@ -131,7 +132,7 @@ mod tests {
         let refused = |words: &[&str]| {
             let words = ["silhouettes"].iter().chain(words);
             let error = command(&Registry::builtin()).try_get_matches_from(words).unwrap_err();
-            match crate::failure::usage(&error) {
+            match crate::failure::usage(&error, crate::PROGRAM) {
                 Failure::Input(line) => line,
                 other => panic!("{other:?}"),
             }

@@ -6,6 +6,7 @@ use crate::input;
 use crate::mesh_argument::MeshArgument;
 use crate::output::Output;
 use crate::progress::TerminalProgress;
+use crate::render::open_device;
 use crate::winding::OrientArgument;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -17,7 +18,8 @@ use silhouette_compare::recommend::{
 };
 use silhouette_compare::runner::{CompareError, NamedMesh};
 use silhouette_compare::{Profile, Registry};
-use silhouette_render::{AdapterChoice, Gpu};
+use silhouette_core::Progress;
+use silhouette_render::Gpu;
 
 /// Seconds that a calibration may be given.
 const SECONDS_RANGE: std::ops::RangeInclusive<f64> = 0.1..=86_400.0;
@@ -90,22 +92,45 @@ struct Document<'a> {
 
 /// Runs the command.
 pub fn run(arguments: &RecommendArguments, registry: &Registry) -> Result<(), Failure> {
-    let request = request(arguments)?;
-    let setting = setting(arguments)?;
+    // A mistake is told before a large mesh is read.
+    request(arguments)?;
+    setting(arguments)?;
     let progress = TerminalProgress::new();
     // Loops are the same for a mesh that is inside out.
-    let winding = arguments.orient.winding(request.goal.picture().is_some());
+    let winding = arguments.orient.winding(arguments.needs_device());
     let named = input::mesh(&arguments.mesh, winding, &progress)?;
+    let gpu = arguments.needs_device().then(open_device).transpose()?;
+    let (recommendation, check) = answer(arguments, &named, gpu.as_ref(), registry, &progress)?;
+    print(arguments.json, &named, &recommendation, check)
+}
+
+impl RecommendArguments {
+    /// Whether pictures are measured, so that a device is wanted.
+    pub fn needs_device(&self) -> bool {
+        Goal::from(self.goal).picture().is_some()
+    }
+}
+
+/// The answer for a mesh, and what its check found; notes are printed. `gpu` is there where [one is
+/// wanted](RecommendArguments::needs_device).
+///
+/// # Errors
+/// [`Failure`]: an argument or the mesh does not fit, or the run failed.
+pub fn answer(
+    arguments: &RecommendArguments,
+    named: &NamedMesh,
+    gpu: Option<&Gpu>,
+    registry: &Registry,
+    progress: &dyn Progress,
+) -> Result<(Recommendation, Option<Check>), Failure> {
+    let request = request(arguments)?;
+    let setting = setting(arguments)?;
     let candidates = candidates(request.goal, registry);
     if candidates.is_empty() {
         return Err(Failure::Input(format!("--goal {}: no method of this program yields any", request.goal.name())));
     }
-    let gpu = match request.goal.picture() {
-        Some(_) => Some(AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu)?),
-        None => None,
-    };
     let cache = if arguments.no_cache { None } else { Cache::of_user(|name| std::env::var_os(name)) };
-    let key = CacheKey::new(&named, request.goal, &setting, gpu.as_ref());
+    let key = CacheKey::new(named, request.goal, &setting, gpu);
     let known = cache.as_ref().map_or_else(|| Ok(Notebook::default()), |cache| cache.load(&key));
     let known = known.unwrap_or_else(|damaged| {
         failure::note(damaged);
@@ -113,13 +138,13 @@ pub fn run(arguments: &RecommendArguments, registry: &Registry) -> Result<(), Fa
     });
     let mut notebook = known.arranged(&candidates);
     let task = Task { request: &request, candidates: &candidates, views: arguments.check };
-    let answered = match &gpu {
+    let answered = match gpu {
         None => {
-            let mut meter = LoopMeter::new(&named, &candidates, setting, &progress).map_err(failed)?;
+            let mut meter = LoopMeter::new(named, &candidates, setting, progress).map_err(failed)?;
             task.answer(&mut meter, &mut notebook)
         }
         Some(gpu) => {
-            let meter = PictureMeter::new(&named, request.goal, &candidates, setting, gpu, &progress);
+            let meter = PictureMeter::new(named, request.goal, &candidates, setting, gpu, progress);
             let Some(mut meter) = meter.map_err(failed)? else { unreachable!("goals with pictures have a meter") };
             task.answer(&mut meter, &mut notebook)
         }
@@ -133,7 +158,7 @@ pub fn run(arguments: &RecommendArguments, registry: &Registry) -> Result<(), Fa
     {
         failure::note(format_args!("{}: the measurements are not kept: {error}", cache.folder().display()));
     }
-    print(arguments.json, &named, &recommendation, check)
+    Ok((recommendation, check))
 }
 
 fn print(json: bool, named: &NamedMesh, recommendation: &Recommendation, check: Option<Check>) -> Result<(), Failure> {

@@ -5,9 +5,12 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{Output, check_writable};
 use crate::progress::TerminalProgress;
+use crate::render::open_device;
 use crate::winding::Winding;
-use silhouette_papers::{ALL, Paper, Run, check_target, find, terminal, write};
-use silhouette_render::{AdapterChoice, Gpu};
+use silhouette_compare::{NamedMesh, Profile};
+use silhouette_core::Progress;
+use silhouette_papers::{ALL, Paper, Reproduction, Run, check_target, find, terminal, write};
+use silhouette_render::Gpu;
 use std::path::Path;
 
 /// Runs the command. Where all papers are meant each paper is written to a folder below the one that is named.
@@ -24,14 +27,33 @@ fn run_paper(paper: &'static Paper, arguments: &ReproduceArguments, directory: &
     check_writable(directory)?;
     let progress = TerminalProgress::new();
     let meshes = input::meshes(&arguments.meshes, paper.default_meshes, Winding::AsItIs, &progress)?;
-    let open = || AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::gpu);
-    let gpu = paper.needs_gpu.then(open).transpose()?;
-    let run = Run { profile: arguments.profile.into(), meshes: &meshes, gpu: gpu.as_ref(), progress: &progress };
-    let reproduction = paper
-        .reproduce(&run)
-        .map_err(|error| if error.is_of_input() { Failure::input(error) } else { Failure::run(error) })?;
+    let gpu = paper.needs_gpu.then(open_device).transpose()?;
+    let reproduction = reproduction(paper, arguments.profile.into(), &meshes, gpu.as_ref(), &progress)?;
     write(&reproduction, directory).map_err(Failure::run)?;
     let mut tables = Vec::new();
     terminal::write_tables(&reproduction, &mut tables).map_err(Failure::run)?;
     Output::Stdout.write(&tables)
+}
+
+/// The meshes that a paper is measured on where none is named.
+///
+/// # Errors
+/// [`Failure`]: the work was cancelled.
+pub fn default_meshes(paper: &Paper, progress: &dyn Progress) -> Result<Vec<NamedMesh>, Failure> {
+    input::meshes(&[], paper.default_meshes, Winding::AsItIs, progress)
+}
+
+/// What a paper printed, measured on these meshes; nothing is written.
+///
+/// # Errors
+/// [`Failure`]: a mesh does not fit the paper, or the run failed.
+pub fn reproduction(
+    paper: &'static Paper,
+    profile: Profile,
+    meshes: &[NamedMesh],
+    gpu: Option<&Gpu>,
+    progress: &dyn Progress,
+) -> Result<Reproduction, Failure> {
+    let measured = paper.reproduce(&Run { profile, meshes, gpu, progress });
+    measured.map_err(|error| if error.is_of_input() { Failure::input(error) } else { Failure::run(error) })
 }

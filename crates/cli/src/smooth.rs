@@ -12,9 +12,10 @@ use crate::winding::Winding;
 use silhouette_compare::drawing::{FrameStyle, Ground, pictures_of};
 use silhouette_compare::metrics::PictureKind;
 use silhouette_compare::registry::{Capabilities, Entry, Prepared, Registry};
+use silhouette_compare::runner::NamedMesh;
 use silhouette_core::curves::{CurveKind, CurveSource};
 use silhouette_core::method::OptionValues;
-use silhouette_core::{Camera, SilhouetteCurves};
+use silhouette_core::{Camera, Progress, SilhouetteCurves};
 use silhouette_smoothing::{SmoothingView, ViewMesh};
 use std::io::Write;
 use std::path::Path;
@@ -42,17 +43,8 @@ const PEN_WIDTH_PX: f64 = 1.0;
 /// Runs the command.
 pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failure> {
     let format = format_of(&arguments.output)?;
-    let entry = registry.find(&arguments.method).map_err(Failure::input)?;
+    let (entry, options) = method_of(&arguments.method, &arguments.set, format, registry)?;
     let info = entry.info();
-    if !format.is_yielded_by(entry.capabilities()) {
-        let lacks = match format {
-            Format::Obj => "makes no triangles of its own",
-            Format::Png => "fills no image",
-        };
-        let known = registry.names(|entry| format.is_yielded_by(entry.capabilities()));
-        return Err(Failure::Input(format!("--method {} {lacks}; choose {known}", info.name)));
-    }
-    let options = OptionValues::parse(info.options, arguments.set.iter().map(String::as_str))?;
     let output = Output::create(Some(&arguments.output), std::slice::from_ref(&arguments.mesh))?;
     let progress = TerminalProgress::new();
     let named = input::mesh(&arguments.mesh, Winding::AsItIs, &progress)?;
@@ -61,10 +53,7 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
 
     let prepared = entry.prepare(&named.mesh, &options, &progress);
     let mut prepared = prepared.map_err(|error| Failure::of_preparation(&named.name, info.name, error))?;
-    let mut view_mesh = ViewMesh::default();
-    if let Some(mut remesher) = prepared.triangles() {
-        remesher.remesh(&SmoothingView::from_camera(&camera), &mut view_mesh);
-    }
+    let view_mesh = triangles(&prepared, &camera);
     let bytes = match format {
         Format::Obj => {
             let obj = obj::write(
@@ -81,7 +70,7 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
                 samples: arguments.samples,
                 ground: Ground::Paper,
             };
-            render::png(entry, &options, &named, &camera, style, &progress)?
+            render::png((entry, &options), &named, &camera, style, &progress)?
         }
     };
     output.write(&bytes)?;
@@ -89,6 +78,51 @@ pub fn run(arguments: &SmoothArguments, registry: &Registry) -> Result<(), Failu
     // Where stderr is closed there is nobody to tell.
     let _ = writeln!(std::io::stderr(), "{}: {summary}", named.name);
     Ok(())
+}
+
+/// The method of a smoothed view, with its options.
+fn method_of<'a>(
+    name: &str,
+    set: &[String],
+    format: Format,
+    registry: &'a Registry,
+) -> Result<(&'a Entry, OptionValues), Failure> {
+    let entry = registry.find(name).map_err(Failure::input)?;
+    if !format.is_yielded_by(entry.capabilities()) {
+        let lacks = match format {
+            Format::Obj => "makes no triangles of its own",
+            Format::Png => "fills no image",
+        };
+        let known = registry.names(|entry| format.is_yielded_by(entry.capabilities()));
+        return Err(Failure::Input(format!("--method {name} {lacks}; choose {known}")));
+    }
+    Ok((entry, OptionValues::parse(entry.info().options, set.iter().map(String::as_str))?))
+}
+
+/// The triangles that stand for a mesh in a view, by a method with options as `--set` takes them.
+///
+/// # Errors
+/// [`Failure`]: there is no such method, it makes no triangles, or it is not defined for the mesh.
+pub fn view_mesh(
+    (method, set): (&str, &[String]),
+    named: &NamedMesh,
+    camera: &Camera,
+    registry: &Registry,
+    progress: &dyn Progress,
+) -> Result<ViewMesh, Failure> {
+    let (entry, options) = method_of(method, set, Format::Obj, registry)?;
+    let prepared = entry.prepare(&named.mesh, &options, progress);
+    let prepared = prepared.map_err(|error| Failure::of_preparation(&named.name, method, error))?;
+    Ok(triangles(&prepared, camera))
+}
+
+/// The triangles of a view; none of a method that makes none.
+fn triangles(prepared: &Prepared, camera: &Camera) -> ViewMesh {
+    let mut view_mesh = ViewMesh::default();
+    if let Some(mut remesher) = prepared.triangles() {
+        remesher.remesh(&SmoothingView::from_camera(camera), &mut view_mesh);
+    }
+    view_mesh
 }
 
 /// What was done, in one line: what the method can tell of it.

@@ -12,8 +12,10 @@
 //! ```
 
 mod entry;
+mod found_edges;
 
 pub use entry::{Capabilities, Entry, EntryBuilder, FillMethod, LineMethod, Prepared};
+pub use found_edges::FoundEdges;
 
 #[cfg(feature = "simplify")]
 use silhouette_baselines::LodMesh;

@@ -1,7 +1,7 @@
 //! [`TriangleMesh`]: positions and triangles, validated once, immutable afterwards.
 
 use crate::id::{FaceId, VertexId};
-use crate::origin::{common_origin, in_file};
+use crate::origin::{common_origin, in_file, origin_between};
 use glam::{DVec3, Vec3};
 
 /// Triangles over a list of positions.
@@ -102,6 +102,24 @@ impl TriangleMesh {
             }
         }
         Ok(Self { positions, triangles, origin: DVec3::ZERO })
+    }
+
+    /// A mesh of 64-bit coordinates, each rounded once. Where they lie far from zero, positions count from an
+    /// [origin](mod@crate::origin) close to them, as those of files do. O(V + F).
+    ///
+    /// # Errors
+    /// [`MeshError`] names the first vertex or face at fault.
+    pub fn from_wide(coordinates: &[DVec3], triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        let used = || triangles.iter().flatten().filter_map(|&vertex| coordinates.get(vertex as usize));
+        let origin = match used().next() {
+            Some(&first) => {
+                let (min, max) = used().fold((first, first), |(min, max), &p| (min.min(p), max.max(p)));
+                if min.is_finite() && max.is_finite() { origin_between(min, max) } else { DVec3::ZERO }
+            }
+            None => DVec3::ZERO,
+        };
+        let positions = coordinates.iter().map(|&coordinate| (coordinate - origin).as_vec3()).collect();
+        Ok(Self::new(positions, triangles)?.with_origin(origin))
     }
 
     /// The same positions, counted from another point of the file's coordinates: the mesh is elsewhere.
@@ -223,6 +241,23 @@ mod tests {
         let error = TriangleMesh::new(p.clone(), vec![[0, 1, 2], [0, 1, 3]]);
         assert_eq!(error, Err(MeshError::IndexOutOfRange { face: FaceId::new(1), index: 3, vertices: 3 }));
         assert!(TriangleMesh::new(p, vec![[0, 1, 2]]).is_ok());
+    }
+
+    #[test]
+    fn coordinates_of_64_bits_are_rounded_once_and_counted_from_close_by() {
+        let near = [DVec3::ZERO, DVec3::X * 0.1, DVec3::Y];
+        let mesh = TriangleMesh::from_wide(&near, vec![[0, 1, 2]]).unwrap();
+        assert_eq!((mesh.origin(), mesh.positions()[1]), (DVec3::ZERO, Vec3::X * 0.1));
+        let offset = DVec3::new(4.5e6, 5.3e6, 0.0);
+        let far = TriangleMesh::from_wide(&near.map(|point| point + offset), vec![[0, 1, 2]]).unwrap();
+        for (&position, point) in far.positions().iter().zip(near) {
+            assert!((far.origin() + position.as_dvec3() - offset).distance(point) < 1e-6, "{far:?}");
+        }
+        let plain = TriangleMesh::new(near.map(|point| (point + offset).as_vec3()).to_vec(), vec![[0, 1, 2]]).unwrap();
+        assert!((plain.positions()[1].as_dvec3() - offset).distance(near[1]) > 1e-2, "32 bits alone lose the edge");
+        let error = TriangleMesh::from_wide(&[DVec3::NAN, DVec3::X, DVec3::Y], vec![[0, 1, 2]]);
+        assert_eq!(error, Err(MeshError::NotFinite { vertex: VertexId::new(0) }));
+        assert!(TriangleMesh::from_wide(&near, vec![[0, 1, 3]]).is_err());
     }
 
     #[test]

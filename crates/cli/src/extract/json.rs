@@ -1,9 +1,10 @@
 //! An extraction as JSON.
 
-use super::{Extraction, FoundEdges};
+use super::Extraction;
 use crate::failure::Failure;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
+use silhouette_compare::registry::FoundEdges;
 use silhouette_core::curves::{CurveChain, CurveKind, CurveSource, SmoothPiece};
 use silhouette_core::method::ExtractionStats;
 use silhouette_core::{FaceId, TriangleMesh, VertexId, Viewpoint};

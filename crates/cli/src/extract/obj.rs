@@ -1,6 +1,7 @@
 //! An extraction as Wavefront OBJ: one `l` element a curve, or a loop where the method finds no curves.
 
-use super::{Extraction, FoundEdges};
+use super::Extraction;
+use silhouette_compare::registry::FoundEdges;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::{SilhouetteCurves, TriangleMesh};
 use std::collections::BTreeMap;

@@ -254,7 +254,7 @@ fn of_plotting(error: PlotError) -> Failure {
 }
 
 /// The failure to find the lines of the meshes with these names.
-fn of_finding(names: &str, error: LineError) -> Failure {
+pub fn of_finding(names: &str, error: LineError) -> Failure {
     match error {
         LineError::Cancelled(error) => error.into(),
         other => Failure::Input(format!("{names}: {other}")),
