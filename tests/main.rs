@@ -1,6 +1,7 @@
 //! Tests that need more than one crate, in one binary: one link step.
 
 mod analytic;
+mod cancelling;
 mod cut_sets;
 mod errors;
 mod exactness;

@@ -24,6 +24,7 @@
 //! | [`edits`] | moved, joined, perforated, turned over: meshes made of others |
 //! | [`strategies`] | meshes and viewpoints for proptest |
 //! | [`mutations`] | ways in which files go bad |
+//! | [`pace`] | how long work goes on without asking whether it should |
 //! | [`random`] | seeded random numbers |
 //! | [`directions`] | directions spread over the sphere, along axes, one per octant |
 //! | [`views`] | cameras that frame a mesh, orbits, viewpoints that are hard to get right |
@@ -52,6 +53,7 @@ pub mod edits;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod mutations;
+pub mod pace;
 pub mod prepare;
 pub mod progress;
 pub mod random;
