@@ -36,7 +36,9 @@ fn works<'a>(mesh: &'a TriangleMesh, topology: &'a Topology, file: &'a [u8]) -> 
     let mut works: Vec<(String, Work<'a>)> = vec![
         (
             "read OBJ".into(),
-            Box::new(move |progress| read(Format::Obj, "large", file, progress).map(drop).map_err(|error| text(&error))),
+            Box::new(move |progress| {
+                read(Format::Obj, "large", file, progress).map(drop).map_err(|error| text(&error))
+            }),
         ),
         (
             "inspect".into(),

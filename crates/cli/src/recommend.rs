@@ -120,7 +120,9 @@ pub fn run(arguments: &RecommendArguments, registry: &Registry) -> Result<(), Fa
         }
         Some(gpu) => {
             let meter = PictureMeter::new(&named, request.goal, &candidates, setting, gpu, &progress);
-            let Some(mut meter) = meter.map_err(Failure::of_comparison)? else { unreachable!("goals with pictures have a meter") };
+            let Some(mut meter) = meter.map_err(Failure::of_comparison)? else {
+                unreachable!("goals with pictures have a meter")
+            };
             task.answer(&mut meter, &mut notebook)
         }
     };

@@ -7,8 +7,8 @@ use silhouette_core::load::{Format, read};
 use silhouette_core::view::Framing;
 use silhouette_core::{Camera, NoProgress, Projection, TriangleMesh};
 use silhouette_visibility::plot::{
-    Cap, Colour, Dash, Drawing, Fit, GltfContainer, Hidden, LayersBy, Length, Page, PlotOptions, Sheet, Unit, placement,
-    plot, write_gltf, write_json,
+    Cap, Colour, Dash, Drawing, Fit, GltfContainer, Hidden, LayersBy, Length, Page, PlotOptions, Sheet, Unit,
+    placement, plot, write_gltf, write_json,
 };
 use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines, SectionPlane, SectionedMesh};
 
@@ -76,11 +76,8 @@ fn camera(scene: &LineScene, bytes: &mut Bytes<'_>) -> Option<Camera> {
         let made = bytes.coordinates();
         let [eye, target] = [0; 2].map(|_| bytes.vector(made));
         let height = f64::from(bytes.byte()) + 0.01;
-        let projection = if is_perspective {
-            Projection::Perspective { fov_y_rad }
-        } else {
-            Projection::Orthographic { height }
-        };
+        let projection =
+            if is_perspective { Projection::Perspective { fov_y_rad } } else { Projection::Orthographic { height } };
         Camera::new(eye, target, bytes.vector(Coordinates::Lattice), projection, size)
     };
     camera.inspect_err(|error| check_message(&error.to_string())).ok()
@@ -106,7 +103,10 @@ fn plot_options(bytes: &mut Bytes<'_>) -> PlotOptions {
     let length = |byte: u8| Length::mm(f64::from(byte) * 0.05);
     let fits = [Fit::Lines, Fit::View, Fit::Scale { mm_per_unit: f64::from(bytes.byte()) + 0.1 }];
     let sheet = Sheet {
-        page: Page { width: Length::mm(5.0 + f64::from(bytes.byte())), height: Length::mm(5.0 + f64::from(bytes.byte())) },
+        page: Page {
+            width: Length::mm(5.0 + f64::from(bytes.byte())),
+            height: Length::mm(5.0 + f64::from(bytes.byte())),
+        },
         margin: length(bytes.byte()),
         fit: fits[bytes.below(3)],
     };

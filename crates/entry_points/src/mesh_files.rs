@@ -11,13 +11,8 @@ use silhouette_core::weld::{weld_exact, weld_within};
 use silhouette_core::{FaceFacings, NoProgress, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
 
 /// The letter that a format begins with.
-pub(crate) const FORMATS: [(u8, Format); 5] = [
-    (b'o', Format::Obj),
-    (b'p', Format::Ply),
-    (b'f', Format::Off),
-    (b's', Format::Stl),
-    (b'g', Format::Gltf),
-];
+pub(crate) const FORMATS: [(u8, Format); 5] =
+    [(b'o', Format::Obj), (b'p', Format::Ply), (b'f', Format::Off), (b's', Format::Stl), (b'g', Format::Gltf)];
 
 /// Most faces with which more is done than reading.
 const FEW_FACES: usize = 2000;

@@ -8,8 +8,8 @@ use silhouette_core::loops::LoopWalker;
 use silhouette_core::method::{OptionValues, PrepareError};
 use silhouette_core::prepared::PreparedMesh;
 use silhouette_core::{
-    ExtractsEdges, ExtractsLoops, FaceFacings, NoProgress, SilhouetteCurves, SilhouetteEdges, SilhouetteLoops, Topology,
-    TriangleMesh, Viewpoint,
+    ExtractsEdges, ExtractsLoops, FaceFacings, NoProgress, SilhouetteCurves, SilhouetteEdges, SilhouetteLoops,
+    Topology, TriangleMesh, Viewpoint,
 };
 use std::sync::Arc;
 

@@ -56,14 +56,8 @@ impl Gpu {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn lesser(
-        choice: AdapterChoice,
-        features: wgpu::Features,
-        limits: &wgpu::Limits,
-    ) -> Result<Self, GpuError> {
-        Self::open(choice, |adapter| {
-            (adapter.features() & features, adapter.limits().or_worse_values_from(limits))
-        })
+    pub fn lesser(choice: AdapterChoice, features: wgpu::Features, limits: &wgpu::Limits) -> Result<Self, GpuError> {
+        Self::open(choice, |adapter| (adapter.features() & features, adapter.limits().or_worse_values_from(limits)))
     }
 
     /// Opens an adapter with those of [`WANTED_FEATURES`] and the limits that `allowed` yields.

@@ -160,7 +160,9 @@ pub enum Problem {
         limit: u64,
     },
     /// More bytes than the caller allows.
-    #[error("the file has {found} bytes with all that it names, but at most {limit} are to be read; allow more, or simplify it")]
+    #[error(
+        "the file has {found} bytes with all that it names, but at most {limit} are to be read; allow more, or simplify it"
+    )]
     TooLong {
         /// How many, at least.
         found: u64,

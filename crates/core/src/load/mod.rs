@@ -113,11 +113,7 @@ pub fn load_labelled(path: &Path, progress: &dyn Progress) -> Result<LabelledMes
 ///
 /// # Errors
 /// [`LoadError`] as for [`load_with_progress`]; [`Problem::TooLong`].
-pub fn load_labelled_within(
-    path: &Path,
-    most_bytes: u64,
-    progress: &dyn Progress,
-) -> Result<LabelledMesh, LoadError> {
+pub fn load_labelled_within(path: &Path, most_bytes: u64, progress: &dyn Progress) -> Result<LabelledMesh, LoadError> {
     let load = || {
         let Some(format) = Format::of(path) else {
             if path.is_dir() {
@@ -152,7 +148,8 @@ pub fn read_labelled(
     bytes: &[u8],
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, LoadError> {
-    read_beside(format, bytes, Beside { folder: None, most_bytes: u64::MAX }, progress).map_err(|located| located.in_file(Path::new(name)))
+    read_beside(format, bytes, Beside { folder: None, most_bytes: u64::MAX }, progress)
+        .map_err(|located| located.in_file(Path::new(name)))
 }
 
 /// Where a mesh's neighbour files lie.

@@ -7,12 +7,8 @@ use silhouette_texture::siltex::{Metadata, write_to};
 use silhouette_texture::{Angles, FacePlace, Hull, Parts, SilhouetteTexture, Terms, VisibilityRule, VolumeSize};
 
 pub fn seeds() -> Vec<Seed> {
-    let terms = Terms {
-        functions: vec![vec![0.5; 3]; 2],
-        offsets: vec![0.0; 2],
-        scales: vec![0.25; 2],
-        weights: vec![1; 4],
-    };
+    let terms =
+        Terms { functions: vec![vec![0.5; 3]; 2], offsets: vec![0.0; 2], scales: vec![0.25; 2], weights: vec![1; 4] };
     [
         ("bytes", Angles::Unorm8(vec![90; 6])),
         ("halves", Angles::Float16(vec![Default::default(); 6])),
@@ -22,7 +18,8 @@ pub fn seeds() -> Vec<Seed> {
     .flat_map(|(name, angles)| {
         let file = file(angles);
         // As they are, and to be repaired: what a mutation damages is then checked behind the checksums.
-        [("", b'a'), ("-repaired", b'r')].map(|(suffix, first)| seed(&format!("{name}{suffix}"), [&[first], &file[..]].concat()))
+        [("", b'a'), ("-repaired", b'r')]
+            .map(|(suffix, first)| seed(&format!("{name}{suffix}"), [&[first], &file[..]].concat()))
     })
     .collect()
 }
@@ -45,6 +42,7 @@ fn file(angles: Angles) -> Vec<u8> {
     });
     let metadata = Metadata::from([("mesh".into(), "triangle".into())]);
     let mut bytes = Vec::new();
-    write_to(&mut bytes, &texture.expect("sizes fit"), &metadata, &NoProgress).expect("memory takes all that is written");
+    write_to(&mut bytes, &texture.expect("sizes fit"), &metadata, &NoProgress)
+        .expect("memory takes all that is written");
     bytes
 }
