@@ -3,6 +3,7 @@
 #![allow(clippy::print_stderr, reason = "tests report what they measured")]
 
 mod analytic;
+mod cancelling;
 mod cut_sets;
 mod errors;
 mod exact;

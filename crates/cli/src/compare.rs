@@ -12,7 +12,7 @@ use crate::winding::Winding;
 use arguments::CompareArguments;
 use silhouette_compare::metrics::PictureKind;
 use silhouette_compare::metrics::table::MetricSpec;
-use silhouette_compare::runner::{CompareConfig, CompareError, NamedMesh, Subject};
+use silhouette_compare::runner::{CompareConfig, NamedMesh, Subject};
 use silhouette_compare::scaling::{ExtractionRow, read_rows};
 use silhouette_compare::scene::{MeshSpec, Scene};
 use silhouette_compare::sweep::{Budget, CellStore, Errors, Key, Refinement, Shard, ShardError, merge, run_shard};
@@ -168,7 +168,7 @@ fn after_failure(failure: Failure, store: CellStore) -> Failure {
 
 fn of_shard(error: ShardError) -> Failure {
     match error {
-        ShardError::Compare(error) => failed(error),
+        ShardError::Compare(error) => Failure::of_comparison(error),
         other => Failure::run(other),
     }
 }
@@ -236,13 +236,4 @@ fn subject(mesh: NamedMesh, spec: &MeshSpec, winding: Winding, progress: &dyn Pr
         placed.map(Arc::new).map_err(|error| Failure::Input(format!("{name}: {error}")))
     };
     Ok(Subject { mesh, truth: spec.truth().map(load).transpose()? })
-}
-
-fn failed(error: CompareError) -> Failure {
-    match error {
-        input @ (CompareError::NoMesh | CompareError::SameName { .. } | CompareError::EmptyMesh { .. }) => {
-            Failure::input(input)
-        }
-        other => Failure::run(other),
-    }
 }

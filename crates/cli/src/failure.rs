@@ -1,6 +1,7 @@
 //! How a command fails: one line on stderr and an exit code.
 
 use crate::interrupt;
+use silhouette_compare::runner::CompareError;
 use silhouette_core::load::LoadError;
 use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::progress::Cancelled;
@@ -37,6 +38,15 @@ impl Failure {
         match error {
             PrepareError::Option(error) => error.into(),
             PrepareError::Mesh(reason) => Self::Input(format!("{mesh}: not defined for {method}: {reason}")),
+            other => Self::run(other),
+        }
+    }
+
+    /// A comparison failed: bad input where a mesh or the views of it do not fit.
+    pub fn of_comparison(error: CompareError) -> Self {
+        use CompareError::{EmptyMesh, NoMesh, SameName, View};
+        match error {
+            input @ (NoMesh | SameName { .. } | EmptyMesh { .. } | View { .. }) => Self::input(input),
             other => Self::run(other),
         }
     }

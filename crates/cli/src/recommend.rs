@@ -16,7 +16,7 @@ use silhouette_compare::recommend::{
     Cache, CacheKey, Candidate, Check, ErrorLimit, Goal, LoopMeter, Measurer, Meter, Notebook, PictureMeter,
     Recommendation, Request, SECONDS, Setting, candidates, check, recommend,
 };
-use silhouette_compare::runner::{CompareError, NamedMesh};
+use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::{Profile, Registry};
 use silhouette_core::Progress;
 use silhouette_render::Gpu;
@@ -140,12 +140,14 @@ pub fn answer(
     let task = Task { request: &request, candidates: &candidates, views: arguments.check };
     let answered = match gpu {
         None => {
-            let mut meter = LoopMeter::new(named, &candidates, setting, progress).map_err(failed)?;
+            let mut meter = LoopMeter::new(named, &candidates, setting, progress).map_err(Failure::of_comparison)?;
             task.answer(&mut meter, &mut notebook)
         }
         Some(gpu) => {
             let meter = PictureMeter::new(named, request.goal, &candidates, setting, gpu, progress);
-            let Some(mut meter) = meter.map_err(failed)? else { unreachable!("goals with pictures have a meter") };
+            let Some(mut meter) = meter.map_err(Failure::of_comparison)? else {
+                unreachable!("goals with pictures have a meter")
+            };
             task.answer(&mut meter, &mut notebook)
         }
     };
@@ -185,9 +187,9 @@ impl Task<'_> {
         notebook: &mut Notebook,
     ) -> Result<(Recommendation, Option<Check>), Failure> {
         let mut measurer = Measurer::new(meter, notebook);
-        let recommendation = recommend(&mut measurer, self.request, self.candidates).map_err(failed)?;
+        let recommendation = recommend(&mut measurer, self.request, self.candidates).map_err(Failure::of_comparison)?;
         let check = match self.views {
-            Some(views) => check(&mut measurer, &recommendation, views).map_err(failed)?,
+            Some(views) => check(&mut measurer, &recommendation, views).map_err(Failure::of_comparison)?,
             None => None,
         };
         Ok((recommendation, check))
@@ -222,11 +224,4 @@ fn milliseconds(text: &str) -> Result<f64, String> {
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds: &f64| SECONDS_RANGE.contains(seconds));
     seconds.ok_or_else(|| format!("expected {} to {} seconds", SECONDS_RANGE.start(), SECONDS_RANGE.end()))
-}
-
-fn failed(error: CompareError) -> Failure {
-    match error {
-        input @ CompareError::EmptyMesh { .. } => Failure::input(input),
-        other => Failure::run(other),
-    }
 }

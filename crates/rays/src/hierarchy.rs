@@ -36,10 +36,30 @@ pub fn build(boxes: &[Boxed]) -> Bvh2 {
     if alike(boxes, &sample).len() == sample.len() { build_of(boxes) } else { build_of_groups(boxes) }
 }
 
+/// `obvhs` compares areas in 32 bits. Of boxes so small or so large that those are all 0 or infinite each is as near as any other, and
+/// again a round merges a single pair. Such boxes are scaled by a power of two, and those of the nodes back, which changes no bit.
 fn build_of(boxes: &[Boxed]) -> Bvh2 {
     let mut time = Duration::ZERO;
-    build_bvh2(boxes, BvhBuildParams::fast_build(), &mut time)
+    let largest = boxes.iter().map(|Boxed(Aabb { min, max })| min.abs().max(max.abs()).max_element());
+    let largest = largest.fold(0.0, f32::max);
+    if largest == 0.0 || (SMALLEST..=1.0 / SMALLEST).contains(&largest) {
+        return build_bvh2(boxes, BvhBuildParams::fast_build(), &mut time);
+    }
+    let exponent = f64::from(largest).log2().floor();
+    let scaled = |by: f64, Aabb { min, max }: Aabb| {
+        let [min, max] = [min, max].map(|corner| (corner.as_dvec3() * by).as_vec3a());
+        Aabb { min, max }
+    };
+    let unit: Vec<Boxed> = boxes.iter().map(|&Boxed(aabb)| Boxed(scaled((-exponent).exp2(), aabb))).collect();
+    let mut bvh = build_bvh2(&unit, BvhBuildParams::fast_build(), &mut time);
+    for node in &mut bvh.nodes {
+        node.set_aabb(scaled(exponent.exp2(), *node.aabb()));
+    }
+    bvh
 }
+
+/// Largest coordinate below which boxes are scaled, and above whose inverse.
+const SMALLEST: f32 = 1.0 / (1 << 30) as f32;
 
 /// Indices of boxes, grouped by equal boxes, in order of first occurrence.
 fn alike(boxes: &[Boxed], indices: &[u32]) -> Vec<Vec<u32>> {
@@ -76,6 +96,28 @@ fn build_of_groups(boxes: &[Boxed]) -> Bvh2 {
 mod tests {
     use super::*;
     use silhouette_core::glam::Vec3A;
+
+    /// Boxes from the smallest numbers that there are to almost the largest: the same tree, to the last bit, as of boxes of usual size.
+    #[test]
+    fn tiny_and_huge_boxes_make_the_tree_of_usual_ones() {
+        let boxes = |scale: f64| -> Vec<Boxed> {
+            let corner = |index: u32| Vec3A::new((index % 50) as f32, (index / 50) as f32, (index % 7) as f32);
+            let boxed = |index| {
+                let [min, max] = [0.0, 1.0].map(|more| ((corner(index) + more).as_dvec3() * scale).as_vec3a());
+                Boxed(Aabb { min, max })
+            };
+            (0..2500).map(boxed).collect()
+        };
+        let usual = build(&boxes(1.0));
+        for exponent in [-149.0_f64, -100.0, 60.0, 120.0] {
+            let scaled = build(&boxes(exponent.exp2()));
+            assert_eq!(scaled.primitive_indices, usual.primitive_indices, "2^{exponent}");
+            for (node, other) in scaled.nodes.iter().zip(&usual.nodes) {
+                let expected = [other.aabb().min, other.aabb().max].map(|c| c.as_dvec3() * exponent.exp2());
+                assert_eq!([node.aabb().min, node.aabb().max].map(|c| c.as_dvec3()), expected);
+            }
+        }
+    }
 
     #[test]
     fn equal_boxes_share_a_leaf_and_none_is_lost() {

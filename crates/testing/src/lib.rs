@@ -25,6 +25,7 @@
 //! | [`strategies`] | meshes and viewpoints for proptest |
 //! | [`lattice_scenes`] | small random scenes at whole coordinates, where ties are the rule |
 //! | [`mutations`] | ways in which files go bad |
+//! | [`pace`] | how long work goes on without asking whether it should |
 //! | [`random`] | seeded random numbers |
 //! | [`directions`] | directions spread over the sphere, along axes, one per octant |
 //! | [`views`] | cameras that frame a mesh, orbits, viewpoints that are hard to get right |
@@ -54,6 +55,7 @@ pub mod edits;
 pub mod gpu;
 pub mod lattice_scenes;
 pub mod mutations;
+pub mod pace;
 pub mod prepare;
 pub mod progress;
 pub mod random;

@@ -15,7 +15,7 @@ use files::FileOfView;
 use silhouette_compare::foreign::cameras::CamerasDocument;
 use silhouette_compare::foreign::score::ScoreError;
 use silhouette_compare::foreign::{ForeignFile, ForeignScore, Frame, ScoredView, Scorer, read, results};
-use silhouette_compare::runner::{CompareError, DEFAULT_PEN_WIDTH_PX, NamedMesh, Subject};
+use silhouette_compare::runner::{DEFAULT_PEN_WIDTH_PX, NamedMesh, Subject};
 use silhouette_compare::scene::{MeshSpec, Scene};
 use silhouette_core::Progress;
 use silhouette_core::mesh::Bounds;
@@ -51,7 +51,7 @@ pub fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let drawings = files.iter().zip(&shown).map(|(file, view)| drawing(&file.path, view, width));
     let drawings = drawings.collect::<Result<Vec<_>, _>>()?;
     let subject = Subject::from(mesh.clone());
-    let mut scorer = Scorer::new(&subject, shown, width, &progress).map_err(failed)?;
+    let mut scorer = Scorer::new(&subject, shown, width, &progress).map_err(Failure::of_comparison)?;
     let scores = score(&mut scorer, drawings, &files, &progress)?;
     let cell = scorer.cell(&name, scores.iter().map(|score| score.view.clone()).collect());
     Output::Stdout.write(table::of(&cell).as_bytes())?;
@@ -154,17 +154,10 @@ fn score(
         progress.check()?;
         let score = scorer.score(view, drawing, progress).map_err(|error| match error {
             ScoreError::File(fault) => Failure::input(fault.in_file(&file.path)),
-            ScoreError::Truth(error) => failed(error),
+            ScoreError::Truth(error) => Failure::of_comparison(error),
             other => Failure::run(other),
         })?;
         scores.push(score);
     }
     Ok(scores)
-}
-
-fn failed(error: CompareError) -> Failure {
-    match error {
-        input @ (CompareError::EmptyMesh { .. } | CompareError::View { .. }) => Failure::input(input),
-        other => Failure::run(other),
-    }
 }

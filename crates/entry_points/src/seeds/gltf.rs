@@ -1,7 +1,6 @@
 //! Scenes of a few triangles in glTF.
 
 use base64::Engine as _;
-use silhouette_core::shapes::by_name;
 
 /// A buffer with a triangle's positions at 0, its indices at 36 as three 16-bit numbers and two bytes of padding, joints at 44 and
 /// weights at 56.
@@ -18,7 +17,8 @@ const ACCESSORS: &str = r#""accessors":[
 {"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
 {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"},
 {"bufferView":2,"componentType":5121,"count":3,"type":"VEC4"},
-{"bufferView":3,"componentType":5126,"count":3,"type":"VEC4"}],
+{"bufferView":3,"componentType":5126,"count":3,"type":"VEC4"},
+{"bufferView":2,"componentType":5121,"count":1,"type":"SCALAR"}],
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6},
 {"buffer":0,"byteOffset":44,"byteLength":12},{"buffer":0,"byteOffset":56,"byteLength":48}]"#;
 
@@ -56,12 +56,24 @@ pub fn skinned() -> String {
     )
 }
 
-/// A cube with its edges, as this workspace writes it.
+/// A container with a triangle whose edges have visibilities.
 pub fn binary() -> Vec<u8> {
-    let mesh = by_name("cube").expect("the cube is built in");
-    let topology = silhouette_core::Topology::new(&mesh);
-    let mut bytes = Vec::new();
-    let is_hard: Vec<bool> = (0..topology.edge_count()).map(|edge| edge % 2 == 0).collect();
-    silhouette_core::save::write_glb(&mesh, &topology, &is_hard.into(), &mut bytes).expect("a cube is small");
+    let mut json = document(
+        r#""meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"extensions":
+{"EXT_mesh_primitive_edge_visibility":{"visibility":4}}}]}],"extensionsUsed":["EXT_mesh_primitive_edge_visibility"],
+"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0"#,
+        "",
+    )
+    .into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let binary = buffer();
+    let mut bytes = b"glTF".to_vec();
+    bytes.extend(2_u32.to_le_bytes());
+    bytes.extend((28 + json.len() as u32 + binary.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &json), (b"BIN\0", &binary)] {
+        bytes.extend((chunk.len() as u32).to_le_bytes());
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
     bytes
 }

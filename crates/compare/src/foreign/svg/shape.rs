@@ -8,10 +8,16 @@ use glam::{DAffine2, DVec2};
 use roxmltree::Node;
 use std::f64::consts::{PI, TAU};
 use std::str::FromStr;
-use svgtypes::{Length, NumberListParser, SimplePathSegment, SimplifyingPathParser, Transform};
+use svgtypes::{
+    Length, NumberListParser, PathParser, PathSegment, SimplePathSegment, SimplifyingPathParser, Transform,
+};
 
 /// Most chords of a circle.
 const MAX_CHORDS: f64 = 4096.0;
+
+/// Largest radius of an arc in its own units. Arcs become cubics within a tenth of a unit, as many as the sixth root of the radius: some
+/// fifty of this one, and more than any memory holds of what a slip of the keyboard can write.
+const MAX_ARC_RADIUS: f64 = 1e9;
 
 /// The outline of a shape in its own coordinates.
 pub enum Shape<'a> {
@@ -69,6 +75,14 @@ impl Shape<'_> {
                 if radii.min_element() > 0.0 { polyline(&rim, true, tracer).map_err(too_many) } else { Ok(()) }
             }
             Self::Path(data) => {
+                let is_too_large = |segment: &PathSegment| match *segment {
+                    PathSegment::EllipticalArc { rx, ry, .. } => rx.abs().max(ry.abs()) > MAX_ARC_RADIUS,
+                    _ => false,
+                };
+                if PathParser::from(*data).map_while(Result::ok).any(|segment| is_too_large(&segment)) {
+                    let message = format!("has an arc with a radius above {MAX_ARC_RADIUS:e}; write a line");
+                    return Err(at(node, Some("d"), &message));
+                }
                 let place = |x: f64, y: f64| finite(node, "d", to_pixels.transform_point2(DVec2::new(x, y)));
                 let mut from = DVec2::ZERO;
                 for segment in SimplifyingPathParser::from(*data) {
