@@ -11,6 +11,7 @@ __all__ = [
     "Camera",
     "Error",
     "Extractor",
+    "LineFinder",
     "Mesh",
     "Texture",
     "Tracker",
@@ -92,6 +93,11 @@ class Tracker:
     def events(self) -> list[_Record]: ...
     @property
     def stats(self) -> dict[str, int]: ...
+
+@final
+class LineFinder:
+    def __new__(cls, mesh: Mesh, *, progress: _Progress | None = None, **options: object) -> LineFinder: ...
+    def find(self, camera: _Camera = ..., *, progress: _Progress | None = None) -> list[_Record]: ...
 
 @final
 class Texture:

@@ -37,6 +37,20 @@ def test_lines_lie_on_the_edges_that_they_name() -> None:
     assert {chain["invisibility"] for chain in visible} == {0}
 
 
+def test_a_finder_of_many_views_finds_what_one_view_has() -> None:
+    mesh = silhouettes.load("builtin:knot")
+    finder = silhouettes.LineFinder(mesh, creases=10)
+    for eye in ((4.0, 3, 5), (-5.0, 1, 2)):
+        camera = silhouettes.look_at(eye)
+        expected = silhouettes.visible_lines(mesh, camera, creases=10)
+        found = finder.find(camera)
+        assert len(found) == len(expected) > 5
+        for one, other in zip(found, expected, strict=True):
+            assert one["kind"] == other["kind"]
+            np.testing.assert_array_equal(one["points"], other["points"])
+            np.testing.assert_array_equal(one["edges"], other["edges"])
+
+
 def test_creases_are_wanted_or_not() -> None:
     mesh = silhouettes.load("builtin:cube")
     kinds = {chain["kind"] for chain in silhouettes.visible_lines(mesh, creases=30)}
