@@ -102,7 +102,7 @@ def _of_trimesh(scene: Any, size: tuple[int, int] | None) -> Camera:
 def _of_pyvista(source: Any, size: tuple[int, int] | None) -> Camera:
     """A VTK camera has a focal point, and a scale, half a height, where it is orthographic."""
     if source.GetParallelProjection():
-        lens = {"ortho": 2.0 * float(source.GetParallelScale())}
+        lens: dict[str, Any] = {"ortho": 2.0 * float(source.GetParallelScale())}
     else:
         if source.GetUseHorizontalViewAngle():
             raise Error("camera: its view angle is horizontal; switch UseHorizontalViewAngle off")

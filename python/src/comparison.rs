@@ -112,7 +112,7 @@ pub fn recommend<'py>(
 ///
 /// reproduce(paper, meshes=(), *, profile="quick", progress=None)
 ///
-/// paper: "image-precision", "tracking", "texture", "edge-mesh" or "smoothing", as `silhouettes reproduce --help` lists them.
+/// paper: "image-precision", "tracking", "silhouette-texture", "edge-mesh" or "smoothing", as `silhouettes reproduce --help` lists them.
 /// meshes: a list of Mesh [default: built-in shapes]. profile: "quick" or "full".
 ///
 /// Returns a list of dicts, which `pandas.DataFrame` takes as they are: "method", "table", "row", "metric", "unit", "paper" (the printed

@@ -11,7 +11,7 @@ use glam::DVec3;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use silhouette_compare::registry::{Entry, FoundEdges, Prepared};
+use silhouette_compare::registry::{Entry, Prepared};
 use silhouette_core::method::{ExtractionStats, OptionValues};
 use silhouette_core::{SilhouetteEdges, Topology, VertexId, Viewpoint};
 use silhouettes::application::Failure;
@@ -28,22 +28,28 @@ fn extractor_of(name: &str, options: Option<&Bound<'_, PyDict>>) -> PyResult<(&'
     Ok((entry, options))
 }
 
-fn find_once(
+/// Prepares a method for a mesh, and asks it about one view.
+fn find_once<T: Send>(
     py: Python<'_>,
     mesh: &Mesh,
     camera: &CameraArgument<'_>,
     method: &str,
     options: Option<&Bound<'_, PyDict>>,
-) -> PyResult<FoundEdges> {
+    find: impl FnOnce(&mut Prepared, &Topology, &Viewpoint) -> Option<T> + Send,
+) -> PyResult<T> {
     let (entry, options) = extractor_of(method, options)?;
     let viewpoint = camera.get()?.viewpoint(mesh).map_err(|failure| exception(&failure))?;
     progress::run(py, None, |progress| {
         let prepared = entry.prepare(mesh.prepared(), &options, progress);
         let mut prepared = prepared.map_err(|error| Failure::of_preparation(&mesh.named().name, method, error))?;
         let topology = mesh.prepared().artefact::<Topology>("edges", progress)?;
-        let found = prepared.find_edges(mesh.triangle_mesh(), &topology, &viewpoint);
-        Ok(found.map_or_else(FoundEdges::default, |(found, _)| found))
+        let found = find(&mut prepared, &topology, &viewpoint);
+        found.ok_or_else(|| Failure::Input(format!("method {method} extracts no edges")))
     })
+}
+
+fn end_points(edges: &SilhouetteEdges, topology: &Topology) -> Vec<[u32; 2]> {
+    edges.iter().map(|edge| topology.end_points(edge).map(VertexId::get)).collect()
 }
 
 fn arrays_of<'py>(py: Python<'py>, loops: Vec<Vec<VertexId>>) -> Vec<Bound<'py, PyArray1<u32>>> {
@@ -69,8 +75,12 @@ pub fn edges<'py>(
     method: &str,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyArray2<u32>>> {
-    let found = find_once(py, mesh.get(), &camera, method, options)?;
-    pairs(py, found.edges)
+    let found = find_once(py, mesh.get(), &camera, method, options, |prepared, topology, viewpoint| {
+        let mut edges = SilhouetteEdges::default();
+        prepared.edges()?.extract_edges(viewpoint, &mut edges);
+        Some(end_points(&edges, topology))
+    })?;
+    array_of_rows::<u32, _, 2>(py, found)
 }
 
 /// The same edges as closed loops, the front face on the left.
@@ -87,12 +97,11 @@ pub fn loops<'py>(
     method: &str,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Vec<Bound<'py, PyArray1<u32>>>> {
-    Ok(arrays_of(py, find_once(py, mesh.get(), &camera, method, options)?.loops))
-}
-
-fn pairs<'py>(py: Python<'py>, edges: Vec<[VertexId; 2]>) -> PyResult<Bound<'py, PyArray2<u32>>> {
-    let pairs: Vec<[u32; 2]> = edges.into_iter().map(|ends| ends.map(VertexId::get)).collect();
-    array_of_rows::<u32, _, 2>(py, pairs)
+    let mesh = mesh.get();
+    let (found, _) = find_once(py, mesh, &camera, method, options, |prepared, topology, viewpoint| {
+        prepared.find_edges(mesh.triangle_mesh(), topology, viewpoint)
+    })?;
+    Ok(arrays_of(py, found.loops))
 }
 
 /// An eye, three numbers in the coordinates of the mesh's file, or a camera: what a frame is seen from.
@@ -123,7 +132,6 @@ pub struct Extractor {
 struct State {
     prepared: Prepared,
     found: SilhouetteEdges,
-    viewpoint: Option<Viewpoint>,
     stats: ExtractionStats,
 }
 
@@ -152,7 +160,7 @@ impl Extractor {
             Ok((prepared, given.prepared().artefact::<Topology>("edges", progress)?))
         })?;
         let (found, stats) = (SilhouetteEdges::default(), ExtractionStats::default());
-        let state = Mutex::new(State { prepared, found, viewpoint: None, stats });
+        let state = Mutex::new(State { prepared, found, stats });
         Ok(Self { mesh: mesh.clone().unbind(), topology, state })
     }
 
@@ -163,12 +171,11 @@ impl Extractor {
         let viewpoint = viewpoint(self.mesh.get(), eye)?;
         let edges = py.detach(|| {
             let mut state = self.state();
-            let State { prepared, found, stats, viewpoint: last } = &mut *state;
-            *last = Some(viewpoint);
+            let State { prepared, found, stats } = &mut *state;
             if let Some(method) = prepared.edges() {
                 *stats = method.extract_edges(&viewpoint, found);
             }
-            found.iter().map(|edge| self.topology.end_points(edge).map(VertexId::get)).collect::<Vec<[u32; 2]>>()
+            end_points(found, &self.topology)
         });
         array_of_rows::<u32, _, 2>(py, edges)
     }

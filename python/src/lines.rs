@@ -11,8 +11,10 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use silhouette_core::Topology;
-use silhouette_visibility::{Chain, LineOptions, Lines, SegmentSource};
+use silhouette_visibility::{Chain, LineFinder as Finder, LineOptions, LineScene, Lines, SegmentSource};
+use silhouettes::application::Failure;
 use silhouettes::calls;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The lines of a view, hidden ones removed.
 ///
@@ -38,11 +40,9 @@ pub fn visible_lines<'py>(
     progress: Option<&Bound<'py, PyAny>>,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyList>> {
-    let wanted = calls::line_options(&method::command_words(options)?, method::registry());
-    let wanted = wanted.map_err(|failure| exception(&failure))?;
+    let wanted = wanted(&method::command_words(options)?)?;
     let (lines, topology) = find(py, mesh.get(), &camera, &wanted, progress)?;
-    let chains = lines.chains.iter().map(|chain| chain_as_dict(py, &chain, lines.origin, &topology));
-    PyList::new(py, chains.collect::<PyResult<Vec<_>>>()?)
+    chains(py, &lines, &topology)
 }
 
 /// The outline of a view: the boundary of all that the mesh covers in the picture.
@@ -59,11 +59,72 @@ pub fn outline<'py>(
     camera: CameraArgument<'py>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Vec<Vec<Bound<'py, PyArray2<f64>>>>> {
-    let only = ["--outline=only".to_owned()];
-    let wanted = calls::line_options(&only, method::registry()).map_err(|failure| exception(&failure))?;
+    let wanted = wanted(&["--outline=only".to_owned()])?;
     let (lines, _) = find(py, mesh.get(), &camera, &wanted, progress)?;
     let region = |rings: &[Vec<DVec2>]| rings.iter().map(|ring| pixels(py, ring)).collect();
     lines.outline.regions().map(region).collect()
+}
+
+/// Finds the lines of many views of a mesh.
+///
+/// LineFinder(mesh, *, progress=None, **options)
+///
+/// options: as of visible_lines. Preparation takes longer than for one view, each view less.
+#[pyclass(frozen, module = "silhouettes")]
+pub struct LineFinder {
+    mesh: Py<Mesh>,
+    wanted: LineOptions,
+    topology: Arc<Topology>,
+    finder: Mutex<Finder>,
+}
+
+#[pymethods]
+impl LineFinder {
+    #[new]
+    #[pyo3(signature = (mesh, *, progress = None, **options))]
+    fn new<'py>(
+        py: Python<'py>,
+        mesh: &Bound<'py, Mesh>,
+        progress: Option<&Bound<'py, PyAny>>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Self> {
+        let wanted = wanted(&method::command_words(options)?)?;
+        let given = mesh.get();
+        let (finder, topology) = progress::run(py, progress, |progress| {
+            let finder = Finder::for_many_views(LineScene::new(Arc::clone(given.prepared())), progress);
+            let finder = finder.map_err(|error| Failure::of_preparation(given.name(), "visible-lines", error))?;
+            Ok((finder, given.prepared().artefact::<Topology>("lines", progress)?))
+        })?;
+        Ok(Self { mesh: mesh.clone().unbind(), wanted, topology, finder: Mutex::new(finder) })
+    }
+
+    /// The lines of a view, as visible_lines returns them.
+    #[pyo3(signature = (camera = CameraArgument::DEFAULT, *, progress = None))]
+    fn find<'py>(
+        &self,
+        py: Python<'py>,
+        camera: CameraArgument<'py>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyList>> {
+        let mesh = self.mesh.get();
+        let camera = camera.get()?.of(mesh, None).map_err(|failure| exception(&failure))?;
+        let lines = progress::run(py, progress, |progress| {
+            let mut finder = self.finder.lock().unwrap_or_else(PoisonError::into_inner);
+            let found = finder.find(&camera, &self.wanted, progress);
+            found.map_err(|error| calls::of_finding(mesh.name(), error))
+        })?;
+        chains(py, &lines, &self.topology)
+    }
+}
+
+/// The lines that words want.
+fn wanted(words: &[String]) -> PyResult<LineOptions> {
+    calls::line_options(words, method::registry()).map_err(|failure| exception(&failure))
+}
+
+fn chains<'py>(py: Python<'py>, lines: &Lines, topology: &Topology) -> PyResult<Bound<'py, PyList>> {
+    let chains = lines.chains.iter().map(|chain| chain_as_dict(py, &chain, lines.origin, topology));
+    PyList::new(py, chains.collect::<PyResult<Vec<_>>>()?)
 }
 
 fn find<'py>(
@@ -72,7 +133,7 @@ fn find<'py>(
     camera: &CameraArgument<'py>,
     wanted: &LineOptions,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Lines, std::sync::Arc<Topology>)> {
+) -> PyResult<(Lines, Arc<Topology>)> {
     let camera = camera.get()?.of(mesh, None).map_err(|failure| exception(&failure))?;
     progress::run(py, progress, |progress| {
         let lines = calls::lines(mesh.named(), &camera, wanted, progress)?;

@@ -69,7 +69,7 @@ impl Mesh {
 
     /// What errors and results call it: the file's name for one that was loaded.
     #[getter]
-    fn name(&self) -> &str {
+    pub fn name(&self) -> &str {
         &self.named.name
     }
 

@@ -49,7 +49,7 @@ pub fn silence_drivers(py: Python<'_>) -> PyResult<()> {
 /// Raises RuntimeError where there is no device to draw on; Mesa's software rasteriser is one.
 #[pyfunction]
 #[pyo3(signature = (mesh, method = "brute-force", camera = CameraArgument::DEFAULT, size = None, *, lines_only = false,
-    width = 2.0, samples = 4, progress = None, **options))]
+    width = 1.5, samples = 4, progress = None, **options))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub fn render<'py>(
     py: Python<'py>,

@@ -9,25 +9,72 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use silhouette_core::loops::start_vertex;
-use silhouette_core::{Method, MethodOptions};
-use silhouette_tracking::{LoopEvent, LoopId, Tracking, TrackingOptions};
+use silhouette_core::{
+    ExtractsEdges, Method, MethodOptions, NoOptions, Progress, SilhouetteEdges, SilhouetteLoops, Viewpoint,
+};
+use silhouette_tracking::{ExactTracking, LoopEvent, LoopId, Tracking, TrackingOptions};
 use silhouettes::application::Failure;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Follows the silhouette loops of a mesh from frame to frame (Hall 2003).
 ///
-/// Tracker(mesh, *, progress=None, **options)
+/// Tracker(mesh, method="tracking", *, progress=None, **options)
 ///
-/// options: those of the method tracking, with underscores for hyphens, for example accuracy="exact" or concavity=0.2.
+/// method, options: "tracking" with its options, underscores for hyphens, for example concavity=0.2; or "tracking-exact", which misses
+///     nothing.
 #[pyclass(frozen, module = "silhouettes")]
 pub struct Tracker {
     mesh: Py<Mesh>,
-    tracking: Mutex<Tracking>,
+    method: Mutex<Follower>,
+}
+
+/// A method that names loops.
+enum Follower {
+    Tracking(Tracking),
+    Exact(ExactTracking),
+}
+
+impl Follower {
+    fn prepare(name: &str, words: &[String], mesh: &Mesh, progress: &dyn Progress) -> Result<Self, Failure> {
+        let words = words.iter().map(String::as_str);
+        let refused = |error| Failure::of_preparation(&mesh.named().name, name, error);
+        match name {
+            _ if name == Tracking::INFO.name => {
+                let options = TrackingOptions::parse(words)?;
+                Tracking::prepare(mesh.prepared(), &options, progress).map(Self::Tracking).map_err(refused)
+            }
+            _ if name == ExactTracking::INFO.name => {
+                let options = NoOptions::parse(words)?;
+                ExactTracking::prepare(mesh.prepared(), &options, progress).map(Self::Exact).map_err(refused)
+            }
+            _ => {
+                let [one, other] = [Tracking::INFO.name, ExactTracking::INFO.name];
+                Err(Failure::Input(format!("method {name} names no loops; choose {one} or {other}")))
+            }
+        }
+    }
+
+    fn update(&mut self, viewpoint: &Viewpoint) -> &SilhouetteLoops {
+        match self {
+            Self::Tracking(method) => method.tracker_mut().update(viewpoint),
+            Self::Exact(method) => {
+                method.extract_edges(viewpoint, &mut SilhouetteEdges::default());
+                method.tracker().loops()
+            }
+        }
+    }
+
+    fn tracker(&self) -> &silhouette_tracking::Tracker {
+        match self {
+            Self::Tracking(method) => method.tracker(),
+            Self::Exact(method) => method.tracker(),
+        }
+    }
 }
 
 impl Tracker {
-    fn tracking(&self) -> MutexGuard<'_, Tracking> {
-        self.tracking.lock().unwrap_or_else(PoisonError::into_inner)
+    fn method(&self) -> MutexGuard<'_, Follower> {
+        self.method.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -38,21 +85,18 @@ fn numbers(ids: &[LoopId]) -> Vec<u64> {
 #[pymethods]
 impl Tracker {
     #[new]
-    #[pyo3(signature = (mesh, *, progress = None, **options))]
+    #[pyo3(signature = (mesh, method = "tracking", *, progress = None, **options))]
     fn new<'py>(
         py: Python<'py>,
         mesh: &Bound<'py, Mesh>,
+        method: &str,
         progress: Option<&Bound<'py, PyAny>>,
         options: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Self> {
         let words = method::words(options)?;
         let given = mesh.get();
-        let tracking = progress::run(py, progress, |progress| {
-            let options = TrackingOptions::parse(words.iter().map(String::as_str))?;
-            let tracking = Tracking::prepare(given.prepared(), &options, progress);
-            tracking.map_err(|error| Failure::of_preparation(&given.named().name, Tracking::INFO.name, error))
-        })?;
-        Ok(Self { mesh: mesh.clone().unbind(), tracking: Mutex::new(tracking) })
+        let follower = progress::run(py, progress, |progress| Follower::prepare(method, &words, given, progress))?;
+        Ok(Self { mesh: mesh.clone().unbind(), method: Mutex::new(follower) })
     }
 
     /// The loops seen from an eye, three numbers in the coordinates of the mesh's file, or by a camera.
@@ -63,8 +107,8 @@ impl Tracker {
         let mesh = self.mesh.get();
         let viewpoint = viewpoint(mesh, eye)?;
         let loops: Vec<Vec<u32>> = py.detach(|| {
-            let mut tracking = self.tracking();
-            let loops = tracking.tracker_mut().update(&viewpoint);
+            let mut method = self.method();
+            let loops = method.update(&viewpoint);
             let start = |&half_edge: &_| start_vertex(mesh.triangle_mesh(), half_edge).get();
             loops.iter().map(|half_edges| half_edges.iter().map(start).collect()).collect()
         });
@@ -74,14 +118,14 @@ impl Tracker {
     /// (n,) uint64: the id of each loop of the last frame. A loop keeps its id while it lives; none is used twice.
     #[getter]
     fn ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
-        PyArray1::from_vec(py, numbers(self.tracking().tracker().ids()))
+        PyArray1::from_vec(py, numbers(self.method().tracker().ids()))
     }
 
     /// What happened to loops in the last frame: a list of dicts with "kind" ("birth", "death", "split" or "merge") and lists of ids,
     /// "from" and "into".
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let tracking = self.tracking();
+        let method = self.method();
         let dict = |event: LoopEvent<'_>| {
             let (kind, from, into) = match event {
                 LoopEvent::Birth { id } => ("birth", Vec::new(), numbers(&[id])),
@@ -95,17 +139,12 @@ impl Tracker {
             dict.set_item("into", into)?;
             Ok(dict)
         };
-        PyList::new(py, tracking.tracker().events().iter().map(dict).collect::<PyResult<Vec<_>>>()?)
+        PyList::new(py, method.tracker().events().iter().map(dict).collect::<PyResult<Vec<_>>>()?)
     }
 
     /// What the last frame took: a dict of counts, the same on every machine.
     #[getter]
     fn stats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.tracking().tracker().stats().extraction())
-    }
-
-    /// Forgets the last frame, so that the next is found by brute force.
-    fn reset(&self) {
-        self.tracking().tracker_mut().reset();
+        to_python(py, &self.method().tracker().stats().extraction())
     }
 }

@@ -3,13 +3,13 @@
 
 pub use crate::bake::{Baked, baked, metadata};
 pub use crate::input::hull_of_texture;
+pub use crate::lines::of_finding;
 pub use crate::reproduce::{default_meshes, reproduction};
 pub use crate::smooth::view_mesh;
 
 use crate::args::{Arguments, Command};
 use crate::compare;
 use crate::failure::{Failure, usage};
-use crate::lines::of_finding;
 use crate::recommend::{self, RecommendArguments};
 use crate::{PROGRAM, methods, spoken};
 use clap::FromArgMatches;
