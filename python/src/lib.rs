@@ -2,6 +2,8 @@
 //!
 //! Calls that take long run in [`progress`], without the interpreter's lock.
 
+#![expect(clippy::needless_pass_by_value, reason = "what is extracted from Python's arguments belongs to the function")]
+
 mod arrays;
 mod camera;
 mod comparison;

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use silhouette_core::Topology;
+use silhouette_core::{Topology, VertexId};
 use silhouette_visibility::{Chain, LineFinder as Finder, LineOptions, LineScene, Lines, SegmentSource};
 use silhouettes::application::Failure;
 use silhouettes::calls;
@@ -142,7 +142,7 @@ fn find<'py>(
 }
 
 fn pixels<'py>(py: Python<'py>, points: &[DVec2]) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    array_of_rows::<f64, _, 2>(py, points.iter().map(|point| point.to_array()).collect::<Vec<_>>())
+    array_of_rows::<f64, _, 2>(py, points.iter().map(DVec2::to_array).collect::<Vec<_>>())
 }
 
 fn chain_as_dict<'py>(
@@ -153,7 +153,7 @@ fn chain_as_dict<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let points: Vec<[f64; 3]> = chain.points.iter().map(|&point| (origin + point).to_array()).collect();
     let edge = |source: &SegmentSource| match source {
-        SegmentSource::Edge(edge) => Some(topology.end_points(*edge).map(|vertex| vertex.get())),
+        SegmentSource::Edge(edge) => Some(topology.end_points(*edge).map(VertexId::get)),
         SegmentSource::Curve(_) | SegmentSource::Intersection(_) => None,
     };
     let edges: Option<Vec<[u32; 2]>> = chain.sources.iter().map(edge).collect();
