@@ -32,8 +32,11 @@ pub fn seeds() -> Vec<Seed> {
         command("lines", "lines part.stl --ortho fit --view front --hidden dashed --page a4 --creases 30 --heal auto"),
         command("lines-pens", "lines a.obj --section 0,0,0,1,0,0 --views front,top --scale 1:10 --margin 5mm --curves"),
         command("render", "render a.obj b.obj --method texture --size 640x480 --up-axis z -o a.png"),
-        command("compare", "compare a.obj builtin:cube --methods tracking,brute-force --set tracking.concavity=0.5"),
-        command("bake", "bake builtin:blob:600 --hull-vertices 24 --size 64 -o a.siltex"),
+        command(
+            "compare",
+            "compare a.obj builtin:cube --methods tracking,brute-force --set tracking.concavity=0.5 -o report",
+        ),
+        command("bake", "bake builtin:blob:600 --set hull-vertices=24 --set size=64 -o a.siltex"),
         seed("scene", SCENE),
         seed("options", "mconcavity=0.25\nmesh=cut"),
         seed("number", "mprobes=0.5"),
