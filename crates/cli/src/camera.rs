@@ -1,6 +1,7 @@
 //! The camera options that every command shares.
 
-use crate::failure::Failure;
+use crate::PROGRAM;
+use crate::failure::{Failure, usage};
 use clap::{Args, Parser, ValueEnum};
 use glam::{DVec3, Vec3};
 use silhouette_core::mesh::Bounds;
@@ -72,12 +73,45 @@ struct NoOptions {
 }
 
 impl CameraArguments {
+    /// The options that words stand for, as on the command line.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] says which word does not fit.
+    pub fn of_words<'a>(words: impl IntoIterator<Item = &'a str>) -> Result<Self, Failure> {
+        let parsed = NoOptions::try_parse_from(std::iter::once("").chain(words));
+        Ok(parsed.map_err(|error| usage(&error, PROGRAM))?.camera)
+    }
+
+    /// The same for a picture of another size, in pixels.
+    #[must_use]
+    pub fn with_size(&self, size: [u32; 2]) -> Self {
+        Self { size, ..self.clone() }
+    }
+
+    /// The vertical field of view in degrees, where one is given.
+    pub fn fov_deg(&self) -> Option<f64> {
+        self.fov
+    }
+
+    /// Which axis points up in named views.
+    pub fn up_axis(&self) -> UpAxis {
+        self.up_axis.into()
+    }
+
+    /// Width and height of the picture in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
     /// Whether no option says anything but what it is without them.
     pub fn is_default(&self) -> bool {
         *self == NoOptions::parse_from([""]).camera
     }
 
     /// The camera for a mesh with these bounds, all of which count from `origin`.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the options do not make a camera.
     pub fn camera(&self, bounds: &Bounds, origin: DVec3) -> Result<Camera, Failure> {
         let [eye, target] = [self.eye, self.target].map(|point| point.map(|point| (point - origin).as_vec3()));
         let fov_y_rad = self.fov.unwrap_or(DEFAULT_FOV_DEG).to_radians();
@@ -113,12 +147,18 @@ impl CameraArguments {
     }
 
     /// Cameras for several named views of a mesh with these bounds: orthographic, of one scale, which look at its middle.
+    ///
+    /// # Errors
+    /// As [`camera`](Self::camera).
     pub fn cameras(&self, views: &[ViewPreset], bounds: &Bounds, origin: DVec3) -> Result<Vec<Camera>, Failure> {
         let ortho = self.ortho.or(Some(OrthoHeight::Fit));
         views.iter().map(|&view| Self { view: Some(view), ortho, ..self.clone() }.camera(bounds, origin)).collect()
     }
 
     /// What facing depends on. Unlike a camera, an eye on the target is no obstacle.
+    ///
+    /// # Errors
+    /// As [`camera`](Self::camera).
     pub fn viewpoint(&self, bounds: &Bounds, origin: DVec3) -> Result<Viewpoint, Failure> {
         match (self.eye.filter(|_| self.view.is_none()), self.ortho) {
             (Some(eye), None) => Ok(Viewpoint::Perspective { eye: (eye - origin).as_vec3() }),

@@ -6,7 +6,7 @@ use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::progress::Cancelled;
 use silhouette_core::view::ViewError;
 use silhouette_render::GpuError;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -49,18 +49,26 @@ impl Failure {
         }
     }
 
-    /// Prints the line; yields the exit code.
-    pub fn report(&self) -> ExitCode {
-        let (message, code) = match self {
-            Self::Input(message) => (message, 2),
-            Self::Run(message) => (message, 1),
-            Self::Interrupted => {
-                (&"interrupted; what was in progress was not written".to_owned(), interrupt::EXIT_CODE)
-            }
+    /// Prints the line on stderr, after the name of the program; yields the exit code.
+    pub fn report(&self, program: &str) -> ExitCode {
+        let code = match self {
+            Self::Input(_) => 2,
+            Self::Run(_) => 1,
+            Self::Interrupted => interrupt::EXIT_CODE,
         };
         // Where stderr is closed there is nobody to tell; the exit code still says it.
-        let _ = writeln!(std::io::stderr(), "silhouettes: {}", one_line(message));
+        let _ = writeln!(std::io::stderr(), "{program}: {self}");
         ExitCode::from(code)
+    }
+}
+
+impl Display for Failure {
+    /// The line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(message) | Self::Run(message) => f.write_str(&one_line(message)),
+            Self::Interrupted => f.write_str("interrupted; what was in progress was not written"),
+        }
     }
 }
 
@@ -70,13 +78,13 @@ pub fn note(message: impl Display) {
     let _ = writeln!(std::io::stderr(), "silhouettes: note: {}", one_line(&message.to_string()));
 }
 
-/// clap's message as one line: its paragraphs up to the usage, which `--help` shows.
-pub fn usage(error: &clap::Error) -> Failure {
+/// clap's message as one line: its paragraphs up to the usage, which `--help` of the program shows.
+pub fn usage(error: &clap::Error, program: &str) -> Failure {
     let text = error.render().to_string();
     let lines =
         text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
     let message = lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
-    Failure::Input(format!("{} (see silhouettes --help)", message.trim_start_matches("error: ")))
+    Failure::Input(format!("{} (see {program} --help)", message.trim_start_matches("error: ")))
 }
 
 fn one_line(message: &str) -> String {
@@ -115,7 +123,7 @@ mod tests {
 
     fn message(words: &[&str]) -> String {
         let error = Arguments::try_parse_from(words).unwrap_err();
-        match usage(&error) {
+        match usage(&error, "silhouettes") {
             Failure::Input(message) | Failure::Run(message) => message,
             Failure::Interrupted => panic!("nobody interrupted"),
         }

@@ -7,6 +7,7 @@
 //! 0 done, 1 the run failed, 2 bad usage or bad input, 130 interrupted by Ctrl-C. A failure is one line on stderr that names the place
 //! and the mend. Results go to stdout or to `-o`, progress and notes to stderr.
 
+pub mod application;
 mod args;
 mod bake;
 mod camera;
@@ -38,7 +39,23 @@ pub use silhouette_compare::registry::{Entry, EntryBuilder, Registry};
 use args::{Arguments, Command};
 use clap::FromArgMatches;
 use failure::Failure;
+use std::ffi::OsString;
 use std::process::ExitCode;
+
+/// What lines on stderr begin with.
+pub(crate) const PROGRAM: &str = "silhouettes";
+
+/// Runs the command that `words` say, the program's own name not among them, as [`run`] runs that of the process's arguments, but
+/// leaves the failure to the caller.
+///
+/// # Errors
+/// [`Failure`](application::Failure): the command failed, or there is no such command.
+pub fn execute(words: impl IntoIterator<Item = impl Into<OsString>>, registry: &Registry) -> Result<(), Failure> {
+    let words = std::iter::once("silhouettes".into()).chain(words.into_iter().map(Into::into));
+    let matches = methods::command(registry).try_get_matches_from(spoken::joined(words));
+    let arguments = matches.and_then(|matches| Arguments::from_arg_matches(&matches));
+    dispatch(arguments.map_err(|error| failure::usage(&error, PROGRAM))?.command, registry)
+}
 
 /// Runs the command that the process's arguments name, with the methods of `registry`. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {
@@ -58,12 +75,12 @@ pub fn run(registry: &Registry) -> ExitCode {
                 _ => ExitCode::SUCCESS,
             };
         }
-        Err(error) => Err(failure::usage(&error)),
+        Err(error) => Err(failure::usage(&error, PROGRAM)),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
-        Err(_) if interrupt::is_asked() => Failure::Interrupted.report(),
-        Err(failure) => failure.report(),
+        Err(_) if interrupt::is_asked() => Failure::Interrupted.report(PROGRAM),
+        Err(failure) => failure.report(PROGRAM),
     }
 }
 

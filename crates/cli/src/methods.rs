@@ -131,7 +131,7 @@ mod tests {
         let refused = |words: &[&str]| {
             let words = ["silhouettes"].iter().chain(words);
             let error = command(&Registry::builtin()).try_get_matches_from(words).unwrap_err();
-            match crate::failure::usage(&error) {
+            match crate::failure::usage(&error, crate::PROGRAM) {
                 Failure::Input(line) => line,
                 other => panic!("{other:?}"),
             }

@@ -166,6 +166,21 @@ impl Drawing {
         Ok(Self { target: Target::new(gpu, style.size, formats)?, style, kind, mesh: buffers, source })
     }
 
+    /// What frames are drawn to.
+    pub fn target(&self) -> &Target {
+        &self.target
+    }
+
+    /// Has the frames to come drawn at another size, in pixels.
+    ///
+    /// # Errors
+    /// [`DrawError::Gpu`]; frames then keep their size.
+    pub fn resize(&mut self, gpu: &Gpu, size: [u32; 2]) -> Result<(), DrawError> {
+        self.target = Target::new(gpu, size, self.target.formats())?;
+        self.style.size = size;
+        Ok(())
+    }
+
     /// What the pictures show.
     pub fn kind(&self) -> PictureKind {
         self.kind
