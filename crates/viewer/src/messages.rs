@@ -1,6 +1,7 @@
 //! [`Messages`]: what the window has to say, in the command line's words.
 
 use eframe::egui;
+use std::fmt::Display;
 
 /// One line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,17 +21,18 @@ const KEPT: usize = 5;
 
 impl Messages {
     /// Something failed.
-    pub fn error(&mut self, text: impl ToString) {
-        self.push(true, text.to_string());
+    pub fn error(&mut self, text: impl Display) {
+        self.push(true, &text);
     }
 
     /// Something worth knowing.
-    pub fn note(&mut self, text: impl ToString) {
-        self.push(false, text.to_string());
+    pub fn note(&mut self, text: impl Display) {
+        self.push(false, &text);
     }
 
     /// The last lines, each once.
-    fn push(&mut self, is_error: bool, text: String) {
+    fn push(&mut self, is_error: bool, text: &dyn Display) {
+        let text = text.to_string();
         self.0.retain(|message| message.text != text);
         self.0.push(Message { is_error, text });
         let surplus = self.0.len().saturating_sub(KEPT);

@@ -34,7 +34,7 @@ pub struct Frame {
     /// Its silhouette edges, where the method extracts edges.
     pub edges: Option<SilhouetteEdges>,
     /// The picture, where it was asked for.
-    pub picture: Option<Image>,
+    pub picture: Option<Arc<Image>>,
     /// Where it can be seen.
     pub texture: Texture,
 }
@@ -62,18 +62,18 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// Starts the thread, which draws nothing yet.
+    /// Starts the thread, which draws by `drawing` once it is asked to.
     pub fn start(gpu: &Arc<Gpu>, wake: &Wake, drawing: Drawing) -> Self {
-        let next = Arc::new(Mutex::new(Some(drawing)));
+        let next = Arc::new(Mutex::new(None));
         let (gpu, given) = (Arc::clone(gpu), Arc::clone(&next));
-        let mut kept: Option<(Drawing, Texture)> = None;
+        let mut texture = Texture::of(&drawing);
+        let mut drawing = drawing;
         let worker = Worker::start(wake, move |question: Question, _| {
-            if let Some(drawing) = lock(&given).take() {
-                let texture = Texture::of(&drawing);
-                kept = Some((drawing, texture));
+            if let Some(next) = lock(&given).take() {
+                drawing = next;
+                texture = Texture::of(&drawing);
             }
-            let (drawing, texture) = kept.as_mut().expect("a painter is started with a drawing");
-            draw(&gpu, drawing, texture, question)
+            draw(&gpu, &mut drawing, &mut texture, question)
         });
         Self { worker, next }
     }
@@ -111,7 +111,7 @@ fn draw(gpu: &Gpu, drawing: &mut Drawing, texture: &mut Texture, question: Quest
         pen: drawing.pen(),
         warning: drawing.warning(),
         edges: drawing.edges().cloned(),
-        picture: question.reads_back.then(|| drawing.picture(gpu)).transpose()?,
+        picture: question.reads_back.then(|| drawing.picture(gpu)).transpose()?.map(Arc::new),
         texture: texture.clone(),
     })
 }

@@ -1,8 +1,12 @@
 //! [`Pane`]: one method on screen, from its choice to its picture.
 
 use crate::background::{Job, Stage, Wake};
+use crate::flicker::Flicker;
+use crate::history::History;
+use crate::layers::Layers;
 use crate::painter::{Frame, Painter, Question};
-use eframe::egui::TextureId;
+use crate::truth::{Score, Shot};
+use eframe::egui::{self, TextureHandle, TextureId};
 use eframe::{egui_wgpu, wgpu};
 use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle, Ground, pictures_of};
 use silhouette_compare::metrics::PictureKind;
@@ -13,6 +17,7 @@ use silhouette_core::{Camera, Progress};
 use silhouette_render::Gpu;
 use silhouettes::application::Failure;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// A method with its options.
 #[derive(Debug, Clone)]
@@ -67,12 +72,14 @@ pub struct Look {
     pub pen_width_px: f64,
     /// Samples per pixel, 1 or 4.
     pub samples: u32,
+    /// What is drawn besides the method.
+    pub layers: Layers,
 }
 
 impl Default for Look {
     /// As the command line's `render`.
     fn default() -> Self {
-        Self { pen_width_px: 1.5, samples: 4 }
+        Self { pen_width_px: 1.5, samples: 4, layers: Layers::default() }
     }
 }
 
@@ -89,8 +96,14 @@ pub struct Pane {
     frame: Option<Frame>,
     texture: Option<(TextureId, u64)>,
     failure: Option<String>,
-    /// Numbers of frames that arrived.
+    /// How many frames have arrived since the mesh was opened.
     frames: u64,
+    /// The first of them that is by what is prepared now.
+    first_frame: u64,
+    history: History,
+    score: Option<Score>,
+    overlay: Option<TextureHandle>,
+    flicker: Flicker,
 }
 
 impl Pane {
@@ -106,6 +119,11 @@ impl Pane {
             texture: None,
             failure: None,
             frames: 0,
+            first_frame: 0,
+            history: History::default(),
+            score: None,
+            overlay: None,
+            flicker: Flicker::default(),
         }
     }
 
@@ -154,6 +172,10 @@ impl Pane {
         let Some(result) = self.preparation.as_ref().and_then(Job::poll) else { return };
         self.preparation = None;
         self.question = None;
+        self.history.clear();
+        self.flicker.clear();
+        self.score = None;
+        self.first_frame = self.frames + 1;
         match result {
             Ok(Ok(drawing)) => match &self.painter {
                 Some(painter) => painter.change(drawing),
@@ -168,8 +190,12 @@ impl Pane {
         while let Some(result) = self.painter.as_ref().and_then(Painter::poll) {
             match result {
                 Ok(Ok(frame)) => {
-                    self.frame = Some(frame);
                     self.frames += 1;
+                    self.history.drawn(self.frames, frame.sample.frame_ms);
+                    if let Some(edges) = &frame.edges {
+                        self.flicker.follow(edges, Instant::now());
+                    }
+                    self.frame = Some(frame);
                 }
                 Ok(Err(error)) => return self.fail(error.to_string()),
                 Err(died) => return self.fail(died.to_string()),
@@ -217,6 +243,53 @@ impl Pane {
         self.frames
     }
 
+    /// Frame times and errors of the last frames.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The picture on screen, where it was read back and has no score yet.
+    pub fn unscored(&self, pane: usize) -> Option<Shot> {
+        let frame = self.frame.as_ref()?;
+        let is_scored = self.score.as_ref().is_some_and(|score| score.frame == self.frames);
+        let picture = Arc::clone(frame.picture.as_ref().filter(|_| !is_scored)?);
+        let (camera, pen, kind) = (frame.camera, frame.pen, self.choice.kind());
+        Some(Shot { pane, frame: self.frames, camera, pen, kind, picture })
+    }
+
+    /// Takes a score, unless the method has changed since.
+    pub fn take_score(&mut self, context: &egui::Context, score: Score) {
+        if score.frame < self.first_frame {
+            return;
+        }
+        let leading = score.metrics.kind().leading_metric();
+        if let Some(error) = leading.error(&score.metrics) {
+            self.history.measured(score.frame, error);
+        }
+        let (image, options) = (score.overlay.clone(), egui::TextureOptions::NEAREST);
+        match &mut self.overlay {
+            Some(overlay) => overlay.set(image, options),
+            None => self.overlay = Some(context.load_texture("missed and spurious", image, options)),
+        }
+        self.score = Some(score);
+    }
+
+    /// Edges that appeared or vanished a moment ago, of a method that extracts edges.
+    pub fn flicker(&self) -> &Flicker {
+        &self.flicker
+    }
+
+    /// The score of the view on screen, once it is there.
+    pub fn score(&self) -> Option<&Score> {
+        let shown = self.frame.as_ref()?;
+        self.score.as_ref().filter(|score| score.camera == shown.camera)
+    }
+
+    /// What the picture on screen misses and what is spurious in it, once that is known.
+    pub fn overlay(&self) -> Option<TextureId> {
+        self.score().and(self.overlay.as_ref()).map(TextureHandle::id)
+    }
+
     /// The picture on screen, for the window to show.
     pub fn texture(&mut self, state: &egui_wgpu::RenderState) -> Option<TextureId> {
         let shown = &self.frame.as_ref()?.texture;
@@ -247,10 +320,13 @@ fn drawing(
     let of_preparation = |error| Failure::of_preparation(&mesh.name, choice.name(), error);
     let prepared = choice.entry.prepare(&mesh.mesh, &choice.values, progress).map_err(of_preparation)?;
     let kind = choice.kind();
-    let Look { pen_width_px, samples } = look;
+    let Look { pen_width_px, samples, .. } = look;
     let style = FrameStyle { size, pen_width_px, samples, ground: Ground::measured(kind) };
-    Drawing::new(gpu, &mesh.mesh, prepared, kind, style).map_err(|error| match error {
+    let drawing = Drawing::new(gpu, &mesh.mesh, prepared, kind, style);
+    let mut drawing = drawing.map_err(|error| match error {
         DrawError::Prepare(error) => of_preparation(error),
         other => Failure::run(other),
-    })
+    })?;
+    look.layers.add_to(&mut drawing, gpu, &mesh.mesh, progress).map_err(of_preparation)?;
+    Ok(drawing)
 }

@@ -26,6 +26,8 @@ pub struct View {
     /// Which axis of the mesh points up in named views, and which dragging turns about.
     pub up_axis: UpAxis,
     fov_deg: f64,
+    /// What the camera was made of, unless it has been moved since.
+    made_of: Option<CameraArguments>,
 }
 
 impl View {
@@ -36,8 +38,9 @@ impl View {
     pub fn new(arguments: &CameraArguments, bounds: Bounds, origin: DVec3, size: [u32; 2]) -> Result<Self, Failure> {
         let camera = arguments.with_size(size).camera(&bounds, origin)?;
         let fov_deg = arguments.fov_deg().unwrap_or(DEFAULT_FOV_DEG);
-        let mut view = Self { camera, bounds, origin, up_axis: arguments.up_axis(), fov_deg };
+        let mut view = Self { camera, bounds, origin, up_axis: arguments.up_axis(), fov_deg, made_of: None };
         view.set(Ok(camera));
+        view.made_of = Some(arguments.clone());
         Ok(view)
     }
 
@@ -52,6 +55,24 @@ impl View {
     /// [`ViewError::Viewport`].
     pub fn camera_of_size(&self, size: [u32; 2]) -> Result<Camera, ViewError> {
         self.camera.with_size(size)
+    }
+
+    /// Takes the viewport to be this large, in pixels. What the mesh was to fit in, it fits in then.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: there is no such viewport.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Failure> {
+        if size == self.camera.size() {
+            return Ok(());
+        }
+        let made_of = self.made_of.take();
+        let camera = match &made_of {
+            Some(arguments) => arguments.with_size(size).camera(&self.bounds, self.origin)?,
+            None => self.camera.with_size(size)?,
+        };
+        self.set(Ok(camera));
+        self.made_of = made_of;
+        Ok(())
     }
 
     /// What the mesh spans.
@@ -69,12 +90,18 @@ impl View {
         self.fov_deg
     }
 
-    /// Sees the mesh from another eye, as a path says.
-    pub fn show(&mut self, camera: Camera) {
-        self.camera = camera;
-        if let Projection::Perspective { fov_y_rad } = camera.projection() {
-            self.fov_deg = fov_y_rad.to_degrees();
-        }
+    /// Sees the mesh as a path does, with a field of view in degrees where that is a perspective.
+    pub fn show(&mut self, camera: Camera, fov_deg: Option<f64>, up_axis: UpAxis) {
+        self.fov_deg = fov_deg.unwrap_or(self.fov_deg);
+        self.up_axis = up_axis;
+        self.set(Ok(camera));
+    }
+
+    /// Azimuth and elevation of the eye about the target in degrees, as paths count them: from the front towards the right.
+    pub fn azimuth_and_elevation_deg(&self) -> [f64; 2] {
+        let offset = self.offset().normalize();
+        let [right, up, front] = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| offset.dot(self.up_axis.from_y_up(axis)));
+        [right.atan2(front).to_degrees(), up.clamp(-1.0, 1.0).asin().to_degrees()]
     }
 
     /// A named view that the mesh fits in, projected as now.
@@ -90,6 +117,7 @@ impl View {
         let arguments = CameraArguments::of_words(words)?.with_size(self.camera.size());
         let camera = arguments.camera(&self.bounds, self.origin)?;
         self.set(Ok(camera));
+        self.made_of = Some(arguments);
         Ok(())
     }
 
@@ -225,6 +253,7 @@ impl View {
         });
         if let Ok(camera) = stated {
             self.camera = camera;
+            self.made_of = None;
         }
     }
 }
@@ -313,6 +342,19 @@ mod tests {
         assert!(!view.is_orthographic() && (across(&view) / before - 2.0).abs() < 1e-4);
         view.zoom(2.0);
         assert!((across(&view) / before - 1.0).abs() < 1e-4, "a view twice as wide shows it half as large");
+    }
+
+    #[test]
+    fn the_mesh_fits_a_viewport_of_another_size_until_it_is_moved() {
+        let mut view = view(&["--view", "iso"]);
+        view.resize([200, 900]).unwrap();
+        let arguments = CameraArguments::of_words(["--view", "iso", "--size", "200x900"]).unwrap();
+        let fitted = arguments.camera(&BOUNDS, DVec3::ZERO).unwrap();
+        assert!(view.camera().eye().distance(fitted.eye()) < 1e-4, "{:?}", view.camera());
+        view.orbit([3.0, 0.0]);
+        let eye = view.camera().eye();
+        view.resize(SIZE).unwrap();
+        assert_eq!((view.camera().eye(), view.camera().size()), (eye, SIZE));
     }
 
     #[test]

@@ -6,10 +6,15 @@ use crate::meshes::Opened;
 use crate::messages::Messages;
 use crate::pane::{Choice, Look, Pane};
 use crate::panels::{self, menu};
+use crate::path::Path;
+use crate::save::{Saving, Shown};
+use crate::tracks::Tracked;
+use crate::truth::Measured;
 use crate::view::View;
 use crate::viewport::Room;
 use eframe::{CreationContext, egui, egui_wgpu};
 use silhouette_compare::registry::Registry;
+use silhouette_core::{NoProgress, Topology, VertexId};
 use silhouette_render::Gpu;
 use silhouettes::application::{CameraArguments, Failure, MeshArgument};
 use std::path::PathBuf;
@@ -41,6 +46,14 @@ pub struct Viewer {
     arrangement: Arrangement,
     divider: f32,
     look: Look,
+    path: Path,
+    measured: Measured,
+    tracked: Tracked,
+    shows_flicker: bool,
+    shows_plots: bool,
+    saving: Saving,
+    /// Size of the first picture, in pixels.
+    size: [u32; 2],
     messages: Messages,
 }
 
@@ -78,6 +91,13 @@ impl Viewer {
             arrangement,
             divider: 0.5,
             look: Look::default(),
+            path: Path::default(),
+            measured: Measured::default(),
+            tracked: Tracked::default(),
+            shows_flicker: false,
+            shows_plots: false,
+            saving: Saving::default(),
+            size: [1, 1],
             messages: Messages::default(),
         })
     }
@@ -99,7 +119,24 @@ impl Viewer {
 
     /// Whether something in the background is not done.
     pub fn is_busy(&self) -> bool {
-        self.opened.stage().is_some() || self.panes().iter().any(Pane::is_busy)
+        let is_working = self.opened.stage().is_some() || self.saving.is_busy();
+        let is_looking = self.measured.stage().is_some() || self.tracked.stage().is_some();
+        is_working || is_looking || self.panes().iter().any(Pane::is_busy)
+    }
+
+    /// The loops on screen.
+    pub fn tracked(&self) -> &Tracked {
+        &self.tracked
+    }
+
+    /// What is to be saved, and where.
+    pub fn saving_mut(&mut self) -> &mut Saving {
+        &mut self.saving
+    }
+
+    /// The camera path.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     fn open(&mut self, argument: MeshArgument) {
@@ -135,6 +172,8 @@ impl Viewer {
             return;
         }
         self.panes.iter_mut().for_each(Pane::clear);
+        self.measured.clear();
+        self.tracked.clear();
         let Some(mesh) = self.opened.mesh().map(|named| named.mesh.mesh()) else { return };
         let Some(bounds) = mesh.bounds() else { return };
         match View::new(&self.start, bounds, mesh.origin(), size) {
@@ -154,44 +193,118 @@ impl Viewer {
                 panels::method::show(ui, label, &self.registry, pane);
                 ui.separator();
             }
-            if let Some(view) = &mut self.view {
-                ui.heading("Camera");
-                panels::camera::show(ui, view, &mut self.messages);
-            }
+            section(ui, "Pen and layers", false, |ui| panels::look::show(ui, &mut self.look));
+            let (Some(view), Some(mesh)) = (&mut self.view, self.opened.mesh()) else { return };
+            section(ui, "Camera", true, |ui| panels::camera::show(ui, view, &mut self.messages));
+            section(ui, "Camera path", false, |ui| panels::path::show(ui, &mut self.path, view, &mut self.messages));
+            section(ui, "Truth", false, |ui| {
+                panels::truth::show(ui, &mut self.measured);
+                if self.measured.is_on {
+                    for pane in &self.panes[..self.arrangement.panes()] {
+                        panels::truth::figures(ui, pane.choice.name(), pane.score());
+                    }
+                }
+            });
+            section(ui, "Loops and flicker", false, |ui| {
+                panels::tracks::show(ui, &mut self.tracked);
+                let flicker = ui.checkbox(&mut self.shows_flicker, "Show what appears and vanishes");
+                flicker.on_hover_text("Of methods that extract edges: edges that appear, green, and vanish, orange");
+            });
+            section(ui, "Artefacts", false, |ui| panels::artefacts::show(ui, &mesh.mesh));
+            let Some(argument) = self.opened.argument() else { return };
+            let choices = self.panes[..self.arrangement.panes()].iter().map(|pane| &pane.choice).collect();
+            let (size, look, path) = (self.size, self.look, &self.path);
+            let shown = Shown { mesh: argument, view, size, choices, look, path };
+            section(ui, "Save", false, |ui| {
+                panels::save::show(ui, &mut self.saving, &shown, &self.registry, &self.wake, &mut self.messages);
+            });
         });
+    }
+
+    /// Shows the next frame of the path once it is due.
+    fn play(&mut self, context: &egui::Context) {
+        let is_drawn = !self.panes().iter().any(Pane::is_busy);
+        let Some(view) = &mut self.view else { return };
+        match self.path.advance(view, is_drawn) {
+            // A frame that is drawn wakes the window by itself.
+            Ok(Some(wait)) => context.request_repaint_after(wait),
+            Ok(None) => {}
+            Err(error) => {
+                self.path.play(false);
+                self.messages.error(error);
+            }
+        }
     }
 
     fn pictures(&mut self, ui: &mut egui::Ui) {
         let room = Room::new(ui, self.arrangement, self.divider);
-        self.take_mesh(room.places[0].picture.size);
+        self.size = room.places[0].picture.size;
+        self.take_mesh(self.size);
+        self.play(ui.ctx());
         let (Some(mesh), Some(view)) = (self.opened.mesh(), &mut self.view) else {
             if self.opened.stage().is_none() {
-                ui.centered_and_justified(|ui| {
-                    ui.label("Open a mesh: drop a file here, or choose File or Shapes above.")
-                });
+                let text = "Open a mesh: drop a file here, or choose File or Shapes above.";
+                ui.centered_and_justified(|ui| ui.label(text));
             }
             return;
         };
-        let names: Vec<&str> = self.panes[..room.places.len()].iter().map(|pane| pane.choice.name()).collect();
+        if let Err(failure) = view.resize(self.size) {
+            self.messages.error(failure);
+        }
+        let panes = &mut self.panes[..room.places.len()];
+        let names: Vec<&str> = panes.iter().map(|pane| pane.choice.name()).collect();
         room.steer(ui, view, &format!("Picture of {}", names.join(" and ")));
+        self.tracked.update(&self.wake, mesh, view.camera());
         for (index, place) in room.places.iter().enumerate() {
-            let pane = &mut self.panes[index];
             match view.camera_of_size(place.picture.size) {
-                Ok(camera) => pane.update(&self.gpu, &self.wake, mesh, self.look, &camera, false),
+                Ok(camera) => {
+                    let reads_back = self.measured.is_on;
+                    panes[index].update(&self.gpu, &self.wake, mesh, self.look, &camera, reads_back);
+                }
                 Err(error) => self.messages.error(error),
             }
-            let textures: Vec<_> = pane.texture(&self.state).into_iter().collect();
+        }
+        self.measured.update(&self.gpu, &self.wake, mesh, ui.ctx(), panes);
+        for (index, pane) in panes.iter_mut().enumerate() {
+            let overlay = pane.overlay().filter(|_| self.measured.is_on && self.measured.is_over);
+            let textures: Vec<_> = pane.texture(&self.state).into_iter().chain(overlay).collect();
             room.show(ui, index, &textures);
             room.caption(ui, index, &format!("{} · {}", pane.choice.name(), mesh.name));
+            let Some(frame) = pane.frame() else { continue };
+            if let Some(loops) = self.tracked.loops() {
+                panels::tracks::draw(ui, &room, index, &frame.camera, loops);
+            }
+            // Whoever extracts edges has asked for the topology before.
+            if self.shows_flicker
+                && frame.edges.is_some()
+                && let Ok(topology) = mesh.mesh.artefact::<Topology>("viewer", &NoProgress)
+            {
+                let position = |vertex: VertexId| mesh.mesh.mesh().positions()[vertex.index()].as_dvec3();
+                let ends = |edge| topology.end_points(edge).map(position);
+                pane.flicker().draw(ui, &room, index, &frame.camera, ends);
+            }
         }
         room.divide(ui, &mut self.divider);
     }
+
+    fn plots(&self, ui: &mut egui::Ui) {
+        let panes: Vec<_> = self.panes().iter().map(|pane| (pane.choice.name(), pane.history())).collect();
+        let metric = self.panes[0].choice.kind().leading_metric();
+        panels::plots::show(ui, &panes, &format!("{} in {} (measured frames)", metric.title, metric.unit));
+    }
+}
+
+/// A part of the side panel that can be folded.
+fn section(ui: &mut egui::Ui, title: &str, is_open: bool, contents: impl FnOnce(&mut egui::Ui)) {
+    egui::CollapsingHeader::new(title).default_open(is_open).show(ui, contents);
 }
 
 impl eframe::App for Viewer {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.take_files(ui);
-        let chosen = egui::Panel::top("menu").show(ui, |ui| menu::show(ui, &mut self.arrangement)).inner;
+        self.saving.update(&mut self.messages);
+        let chosen =
+            egui::Panel::top("menu").show(ui, |ui| menu::show(ui, &mut self.arrangement, &mut self.shows_plots)).inner;
         match chosen {
             Some(menu::Chosen::Open(argument)) => self.open(argument),
             Some(menu::Chosen::Browse) => self.browse(),
@@ -206,6 +319,9 @@ impl eframe::App for Viewer {
                     self.opened.cancel();
                 }
             });
+        }
+        if self.shows_plots {
+            egui::Panel::bottom("plots").show(ui, |ui| self.plots(ui));
         }
         egui::Panel::left("controls").default_size(290.0).show(ui, |ui| self.side(ui));
         egui::CentralPanel::no_frame().show(ui, |ui| self.pictures(ui));

@@ -7,7 +7,7 @@
 use crate::arrangement::{Arrangement, PixelRect, Place};
 use crate::view::View;
 use eframe::egui::{
-    self, Color32, CursorIcon, EventFilter, Key, PointerButton, Rect, Response, Role, Sense, Stroke, TextureId,
+    self, Color32, CursorIcon, EventFilter, Key, PointerButton, Rect, Response, Role, Sense, Stroke, TextureId, Vec2,
     WidgetInfo, pos2, vec2,
 };
 
@@ -79,16 +79,17 @@ impl Room {
         let drag = response.drag_delta();
         let by = [drag.x, drag.y].map(f64::from);
         let scale = f64::from(self.pixels_per_point);
-        if response.dragged() && by != [0.0; 2] {
+        if response.dragged() && drag != Vec2::ZERO {
             let is_moved = !response.dragged_by(PointerButton::Primary) || ui.input(|input| input.modifiers.shift);
             if is_moved { view.pan(by.map(|points| points * scale)) } else { view.orbit(by) }
         }
         if response.contains_pointer() {
             let (wheel, pinch) =
                 ui.input(|input| (f64::from(input.smooth_scroll_delta().y), f64::from(input.zoom_delta())));
-            if pinch != 1.0 {
+            // Both are exactly that where nothing was turned.
+            if pinch.ln().abs() > 0.0 {
                 view.zoom(1.0 / pinch);
-            } else if wheel != 0.0 {
+            } else if wheel.abs() > 0.0 {
                 view.dolly((-wheel / WHEEL_POINTS).exp());
             }
         }

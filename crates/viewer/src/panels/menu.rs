@@ -14,7 +14,7 @@ pub enum Chosen {
 }
 
 /// Shows the bar.
-pub fn show(ui: &mut egui::Ui, arrangement: &mut Arrangement) -> Option<Chosen> {
+pub fn show(ui: &mut egui::Ui, arrangement: &mut Arrangement, shows_plots: &mut bool) -> Option<Chosen> {
     let mut chosen = None;
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button("File", |ui| {
@@ -34,6 +34,8 @@ pub fn show(ui: &mut egui::Ui, arrangement: &mut Arrangement) -> Option<Chosen> 
         for (name, arranged) in Arrangement::NAMED {
             ui.radio_value(arrangement, arranged, name);
         }
+        ui.separator();
+        ui.checkbox(shows_plots, "plots");
     });
     chosen
 }

@@ -1,9 +1,16 @@
 //! What stands around the picture, one file each.
 
+pub mod artefacts;
 pub mod camera;
+pub mod look;
 pub mod menu;
 pub mod method;
 pub mod options;
+pub mod path;
+pub mod plots;
+pub mod save;
+pub mod tracks;
+pub mod truth;
 
 use crate::background::Stage;
 use eframe::egui;

@@ -3,5 +3,7 @@
 //! With `SILHOUETTES_SCREENSHOTS=DIR` each test leaves pictures of the window in DIR.
 
 mod choosing;
+mod saving;
+mod seeing;
 mod stage;
 mod steering;
