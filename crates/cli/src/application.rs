@@ -11,10 +11,12 @@ pub use crate::mesh_argument::MeshArgument;
 pub use crate::render::{method_of_picture, open_device, picture};
 
 use crate::input;
+use crate::output::Output;
 use crate::winding::Winding;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::Progress;
 use silhouette_core::load::Note;
+use std::path::Path;
 
 /// A mesh by its name on the command line, as it is wound, and what its reader noted.
 ///
@@ -22,6 +24,14 @@ use silhouette_core::load::Note;
 /// [`Failure`]: there is no such file or shape, or it cannot be read.
 pub fn load(argument: &MeshArgument, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
     input::mesh_with_notes(argument, progress)
+}
+
+/// Writes a file as the commands do: it appears whole or not at all.
+///
+/// # Errors
+/// [`Failure`]: it cannot be written there.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    Output::create(Some(path), &[])?.write(bytes)
 }
 
 /// What a user should know of a mesh before methods draw it whose pictures depend on which way faces point: that some are wound

@@ -99,7 +99,9 @@ pub struct Drawing {
     style: FrameStyle,
     kind: PictureKind,
     mesh: Arc<MeshBuffers>,
+    below: Vec<Box<dyn FrameRenderer>>,
     source: Source,
+    above: Vec<Box<dyn FrameRenderer>>,
 }
 
 enum Source {
@@ -163,7 +165,34 @@ impl Drawing {
             None => return Err(DrawError::Kind(kind)),
         };
         gpu.check()?;
-        Ok(Self { target: Target::new(gpu, style.size, formats)?, style, kind, mesh: buffers, source })
+        let target = Target::new(gpu, style.size, formats)?;
+        Ok(Self { target, style, kind, mesh: buffers, below: Vec::new(), source, above: Vec::new() })
+    }
+
+    /// What frames are drawn to.
+    pub fn target(&self) -> &Target {
+        &self.target
+    }
+
+    /// Has the frames to come drawn at another size, in pixels.
+    ///
+    /// # Errors
+    /// [`DrawError::Gpu`]; frames then keep their size.
+    pub fn resize(&mut self, gpu: &Gpu, size: [u32; 2]) -> Result<(), DrawError> {
+        self.target = Target::new(gpu, size, self.target.formats())?;
+        self.style.size = size;
+        Ok(())
+    }
+
+    /// Has the frames to come drawn with more than the method, in the same pass: `below` before it and `above` after it. Renderers
+    /// are made for the [target's formats](Self::target) and the [same mesh](Self::mesh).
+    pub fn surround(&mut self, below: Vec<Box<dyn FrameRenderer>>, above: Vec<Box<dyn FrameRenderer>>) {
+        (self.below, self.above) = (below, above);
+    }
+
+    /// The mesh on the device.
+    pub fn mesh(&self) -> &Arc<MeshBuffers> {
+        &self.mesh
     }
 
     /// What the pictures show.
@@ -197,7 +226,10 @@ impl Drawing {
         let renderer = self.source.renderer();
         let range = renderer.clip_range(camera, camera.clip_range(&bounds));
         let view = FrameView::from_camera(camera, range, DEFAULT_FORMATS.depth_direction)?;
-        Ok(renderer.prepare(gpu.device(), gpu.queue(), &view)?)
+        for renderer in self.below.iter_mut().chain(&mut self.above) {
+            renderer.prepare(gpu.device(), gpu.queue(), &view)?;
+        }
+        Ok(self.source.renderer().prepare(gpu.device(), gpu.queue(), &view)?)
     }
 
     /// Draws a frame in one submission and waits for it. The frame's time is that of preparing, encoding, submitting and
@@ -209,12 +241,19 @@ impl Drawing {
         let start = Instant::now();
         self.prepare(gpu, camera)?;
         let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
-        let renderer = self.source.renderer();
+        let (renderer, below, above) = (self.source.renderer(), &self.below, &self.above);
         let pass = gpu.draw_after(
             &self.target,
             Load::Clear(self.style.ground.color()),
-            |encoder| renderer.encode(encoder),
-            |pass| renderer.draw(pass),
+            |encoder| {
+                below.iter().chain(above).for_each(|renderer| renderer.encode(encoder));
+                renderer.encode(encoder);
+            },
+            |pass| {
+                below.iter().for_each(|renderer| renderer.draw(pass));
+                renderer.draw(pass);
+                above.iter().for_each(|renderer| renderer.draw(pass));
+            },
         )?;
         let extraction = match &self.source {
             Source::Edges(renderer) => {
@@ -301,100 +340,4 @@ pub fn render_method(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::metrics::Ink;
-    use crate::registry::Registry;
-    use silhouette_core::shapes;
-    use silhouette_core::view::{Framing, ViewPreset};
-    use silhouette_testing::gpu_or_skip;
-    use silhouette_testing::prepare::cheap_options;
-
-    fn cube_and_camera() -> (Arc<PreparedMesh>, Camera) {
-        let mesh = Arc::new(PreparedMesh::new(shapes::by_name("cube").unwrap()));
-        let (direction, up) = ViewPreset::default().directions();
-        let framing = Framing::Perspective { fov_y_rad: 0.8 };
-        let bounds = mesh.mesh().bounds().unwrap();
-        (mesh, Camera::framing(&bounds, direction, up, framing, [128, 96]).unwrap())
-    }
-
-    fn style(samples: u32, ground: Ground) -> FrameStyle {
-        FrameStyle { size: [128, 96], pen_width_px: 2.0, samples, ground }
-    }
-
-    #[test]
-    fn a_mesh_without_faces_is_refused_as_such() {
-        let Some(gpu) = gpu_or_skip("a_mesh_without_faces_is_refused_as_such") else { return };
-        let (_, camera) = cube_and_camera();
-        let empty = Arc::new(PreparedMesh::new(silhouette_core::TriangleMesh::new(vec![], vec![]).unwrap()));
-        let registry = Registry::builtin();
-        let entry = registry.find("brute-force").unwrap();
-        let options = OptionValues::defaults(entry.info().options);
-        let drawn = render_method(gpu, entry, &options, &empty, &camera, style(1, Ground::Paper), &NoProgress);
-        assert!(matches!(drawn, Err(DrawError::NoFaces)));
-    }
-
-    #[test]
-    fn every_method_draws_lines_with_and_without_antialiasing() {
-        let Some(gpu) = gpu_or_skip("every_method_draws_lines_with_and_without_antialiasing") else { return };
-        let (mesh, camera) = cube_and_camera();
-        for entry in Registry::builtin().entries() {
-            let can = entry.capabilities();
-            if !(can.lines || can.edges) {
-                continue;
-            }
-            let options = cheap_options(entry.info().options);
-            let [sharp, smooth] = [1, 4].map(|samples| {
-                let style = style(samples, Ground::Paper);
-                render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image
-            });
-            let name = entry.info().name;
-            let is_grey = |image: &Image| image.rgba.chunks(4).any(|pixel| !matches!(pixel[0], 0 | 255));
-            assert!(!is_grey(&sharp) && is_grey(&smooth), "{name}");
-            let inked = |image: &Image| {
-                let ink = Ink::from_picture(image);
-                let pixels =
-                    (0..i64::from(image.height)).flat_map(|y| (0..i64::from(image.width)).map(move |x| (x, y)));
-                pixels.map(|(x, y)| f64::from(ink.coverage(x, y))).sum::<f64>()
-            };
-            let area = [inked(&sharp), inked(&smooth)];
-            assert!(area[0] > 50.0 && (area[0] / area[1] - 1.0).abs() < 0.25, "{name}: {area:?}");
-        }
-    }
-
-    #[test]
-    fn on_a_transparent_ground_only_lines_are_opaque() {
-        let Some(gpu) = gpu_or_skip("on_a_transparent_ground_only_lines_are_opaque") else { return };
-        let (mesh, camera) = cube_and_camera();
-        let registry = Registry::builtin();
-        for (name, words) in [("brute-force", &[][..]), ("image-precision", &["interior=depth-only"])] {
-            let entry = registry.find(name).unwrap();
-            let options = OptionValues::parse(entry.info().options, words.iter().copied()).unwrap();
-            let style = style(1, Ground::Transparent);
-            let image = render_method(gpu, entry, &options, &mesh, &camera, style, &NoProgress).unwrap().image;
-            let [ink, ground] =
-                [[0, 0, 0, 255], [0; 4]].map(|wanted| image.rgba.chunks(4).filter(|p| *p == wanted).count());
-            assert!(ink > 100 && ink + ground == 128 * 96, "{name}: {ink} {ground}");
-            let middle = &image.rgba[4 * (48 * 128 + 64)..][..4];
-            assert_eq!(middle, [0; 4], "{name}: the interior");
-        }
-    }
-
-    #[test]
-    fn a_fill_covers_the_mesh_and_a_method_of_lines_fills_nothing() {
-        let Some(gpu) = gpu_or_skip("a_fill_covers_the_mesh_and_a_method_of_lines_fills_nothing") else { return };
-        let (mesh, camera) = cube_and_camera();
-        let registry = Registry::builtin();
-        let drawn = |name: &str| {
-            let entry = registry.find(name).unwrap();
-            let prepared = entry.prepare(&mesh, &OptionValues::defaults(entry.info().options), &NoProgress).unwrap();
-            let mut drawing = Drawing::new(gpu, &mesh, prepared, PictureKind::Fill, style(1, Ground::Transparent))?;
-            drawing.draw(gpu, &camera)?;
-            drawing.picture(gpu)
-        };
-        let image = drawn("fine-mesh").unwrap();
-        let covered = image.rgba.chunks(4).filter(|pixel| pixel[3] == 255).count();
-        assert!(covered > 1000 && covered < 128 * 96 / 2, "{covered}");
-        assert!(matches!(drawn("brute-force"), Err(DrawError::Kind(PictureKind::Fill))));
-    }
-}
+mod tests;

@@ -24,6 +24,8 @@ const TIMEOUT: Duration = Duration::from_secs(300);
 /// A headless device with its queue. Every call that can fail returns a [`GpuError`], for errors of the device as well.
 #[derive(Debug)]
 pub struct Gpu {
+    instance: wgpu::Instance,
+    opened: wgpu::Adapter,
     adapter: AdapterDescription,
     device: wgpu::Device,
     queue: wgpu::Queue,
@@ -91,6 +93,8 @@ impl Gpu {
             lock(&on_loss.lost).get_or_insert(format!("{reason:?}: {message}"));
         });
         let mut gpu = Self {
+            instance,
+            opened: adapter,
             adapter: description,
             device,
             queue,
@@ -115,6 +119,11 @@ impl Gpu {
     /// What was opened.
     pub fn adapter(&self) -> &AdapterDescription {
         &self.adapter
+    }
+
+    /// The adapter itself, and the instance that it is of: what a window's surface is made with, on the same device.
+    pub fn wgpu_adapter(&self) -> (&wgpu::Instance, &wgpu::Adapter) {
+        (&self.instance, &self.opened)
     }
 
     /// The device.

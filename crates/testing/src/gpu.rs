@@ -2,10 +2,10 @@
 
 use crate::skip::skipped;
 use silhouette_render::{AdapterChoice, Gpu};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// One device for all tests of a process: devices that are created at once crash some drivers.
-static GPU: OnceLock<Result<Gpu, String>> = OnceLock::new();
+static GPU: OnceLock<Result<Arc<Gpu>, String>> = OnceLock::new();
 
 /// The device that the tests of this process share, on the adapter that the environment names; or `None`, after a line on
 /// stderr that `test` was skipped.
@@ -14,7 +14,16 @@ static GPU: OnceLock<Result<Gpu, String>> = OnceLock::new();
 /// If there is no adapter and `SILHOUETTES_GPU=require` is set, so that a machine meant to test the GPU cannot skip in
 /// silence.
 pub fn gpu_or_skip(test: &str) -> Option<&'static Gpu> {
-    let gpu = GPU.get_or_init(|| AdapterChoice::from_env().and_then(Gpu::new).map_err(|error| error.to_string()));
+    shared_gpu_or_skip(test).map(|gpu| &**gpu)
+}
+
+/// The same for what shares its device among threads.
+///
+/// # Panics
+/// As [`gpu_or_skip`].
+pub fn shared_gpu_or_skip(test: &str) -> Option<&'static Arc<Gpu>> {
+    let open = || AdapterChoice::from_env().and_then(Gpu::new).map(Arc::new).map_err(|error| error.to_string());
+    let gpu = GPU.get_or_init(open);
     match gpu {
         Ok(gpu) => Some(gpu),
         Err(error) => {

@@ -67,7 +67,7 @@ pub mod views;
 pub mod zoo;
 
 #[cfg(feature = "gpu")]
-pub use gpu::gpu_or_skip;
+pub use gpu::{gpu_or_skip, shared_gpu_or_skip};
 pub use progress::Cancelling;
 pub use random::Random;
 pub use real_meshes::{real_mesh, real_meshes};
