@@ -1,0 +1,1 @@
+//! `docs/STABILITY.md`: a table per family.
