@@ -57,10 +57,10 @@ pub enum HullError {
     /// 32-bit positions around the object are farther apart than the smallest offset, so that no surface close to it can be written
     /// down, and the search for one would take hours.
     #[error(
-        "the object lies so far from zero that 32-bit positions near it are {step} apart, more than a thousandth of its radius of {radius}; have them count from an origin close to it"
+        "the object lies so far from zero that 32-bit positions near it are up to {step:.1e} apart, more than a thousandth of its radius of {radius:.1e}; have them count from an origin close to it"
     )]
     TooFar {
-        /// Distance of neighbouring positions.
+        /// Most that neighbouring positions are apart.
         step: f64,
         /// Radius of the bounding sphere.
         radius: f64,

@@ -1,6 +1,6 @@
 //! Curves, against the silhouette edges of the mesh that they smooth.
 
-use crate::cell::Found;
+use crate::cell::{Found, Outcome};
 use crate::truth::Truth;
 use silhouette_compare::registry::Entry;
 use silhouette_core::NoProgress;
@@ -11,15 +11,14 @@ use silhouette_core::glam::DVec2;
 const POINTS: u32 = 8;
 
 /// How far a method's curves and the mesh's silhouette edges, hidden ones too, lie apart in the picture: the distance, in pixels, that
-/// 95 % of the points of either keep to the other. `None` where there is no curve.
+/// 95 % of the points of either keep to the other.
 ///
 /// # Errors
-/// A refusal, or a fault.
-pub fn distance_px(entry: &Entry, truth: &Truth<'_>) -> Result<Option<f64>, Found> {
+/// A refusal, a fault, or that there is no curve.
+pub fn distance_px(entry: &Entry, truth: &Truth<'_>) -> Result<f64, Found> {
     let scene = truth.scene;
     let options = scene.options_of(entry.info().options).map_err(|error| Found::refused(&error))?;
-    let mut method =
-        entry.prepare(&scene.mesh, &options, &NoProgress).map_err(|error| Found::refused(&error))?;
+    let mut method = entry.prepare(&scene.mesh, &options, &NoProgress).map_err(|error| Found::refused(&error))?;
     let mut curves = SilhouetteCurves::default();
     let viewpoint = scene.viewpoint()?;
     method.curves().expect("it extracts curves").extract_curves(&viewpoint, &mut curves);
@@ -44,14 +43,14 @@ pub fn distance_px(entry: &Entry, truth: &Truth<'_>) -> Result<Option<f64>, Foun
         .filter(in_picture)
         .collect();
     if drawn.is_empty() {
-        return Ok(None);
+        return Err(Found::new(Outcome::Empty, ""));
     }
     let lines = truth.all_lines().map_err(Found::fault)?;
     let truth: Vec<DVec2> = lines.samples.iter().map(|sample| sample.pixel).filter(in_picture).collect();
     if truth.is_empty() {
-        return Ok(Some(size[0].hypot(size[1])));
+        return Ok(size[0].hypot(size[1]));
     }
-    Ok(Some(farthest_px(&drawn, &truth).max(farthest_px(&truth, &drawn))))
+    Ok(farthest_px(&drawn, &truth).max(farthest_px(&truth, &drawn)))
 }
 
 /// The distance that 95 % of the points keep to the others.

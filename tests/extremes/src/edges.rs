@@ -8,43 +8,47 @@ use silhouette_core::{NoProgress, SilhouetteEdges, SilhouetteLoops, Topology, Tr
 use silhouette_testing::prepare::artefact;
 use std::sync::Arc;
 
-/// What a method that extracts edges yields after two views near by.
+/// What a method that extracts edges yields, against the truth.
 pub fn found(entry: &Entry, truth: &Truth<'_>) -> Found {
+    extracted(entry, truth).map_or_else(|found| found, |edges| compared(&edges, truth.edges()))
+}
+
+/// The edges that a method extracts after two views near by.
+///
+/// # Errors
+/// A refusal, or a fault.
+pub fn extracted(entry: &Entry, truth: &Truth<'_>) -> Result<SilhouetteEdges, Found> {
     let scene = truth.scene;
-    let options = match scene.options_of(entry.info().options) {
-        Ok(options) => options,
-        Err(error) => return Found::refused(&error),
-    };
-    let mut method = match entry.prepare(&scene.mesh, &options, &NoProgress) {
-        Ok(method) => method,
-        Err(error) => return Found::refused(&error),
-    };
-    let viewpoint = match scene.viewpoint() {
-        Ok(viewpoint) => viewpoint,
-        Err(found) => return found,
-    };
+    let options = scene.options_of(entry.info().options).map_err(|error| Found::refused(&error))?;
+    let mut method = entry.prepare(&scene.mesh, &options, &NoProgress).map_err(|error| Found::refused(&error))?;
+    let viewpoint = scene.viewpoint()?;
     let mut edges = SilhouetteEdges::default();
     for view in scene.before().iter().chain([&viewpoint]) {
         method.edges().expect("it extracts edges").extract_edges(view, &mut edges);
     }
     let topology: Arc<Topology> = artefact(&scene.mesh);
     if let Some(edge) = edges.iter().find(|edge| edge.index() >= topology.edge_count()) {
-        return Found::fault(format!("edge {} of {}", edge.index(), topology.edge_count()));
+        return Err(Found::fault(format!("edge {} of {}", edge.index(), topology.edge_count())));
     }
     if let Some(loops) = method.loops() {
         let mut found = SilhouetteLoops::default();
         loops.extract_loops(&viewpoint, &mut found);
         if let Some(fault) = broken_loop(scene.mesh.mesh(), &topology, &found, &edges) {
-            return Found::fault(fault);
+            return Err(Found::fault(fault));
         }
     }
-    compared(&edges, truth.edges())
+    Ok(edges)
+}
+
+/// How many of the expected edges were not found, and how many others were.
+pub fn missed_and_spurious(found: &SilhouetteEdges, expected: &SilhouetteEdges) -> [usize; 2] {
+    let missed = expected.iter().filter(|&edge| !found.contains(edge)).count();
+    [missed, found.iter().filter(|&edge| !expected.contains(edge)).count()]
 }
 
 /// An outcome by what is missing and what is too much.
 fn compared(found: &SilhouetteEdges, expected: &SilhouetteEdges) -> Found {
-    let missed = expected.iter().filter(|&edge| !found.contains(edge)).count();
-    let spurious = found.iter().filter(|&edge| !expected.contains(edge)).count();
+    let [missed, spurious] = missed_and_spurious(found, expected);
     let outcome = match (missed, spurious) {
         (0, 0) if expected.is_empty() => Outcome::Empty,
         (0, 0) => Outcome::Exact,
@@ -52,9 +56,8 @@ fn compared(found: &SilhouetteEdges, expected: &SilhouetteEdges) -> Found {
         _ => Outcome::Differs,
     };
     let text = match outcome {
-        Outcome::Empty => "0 edges".to_owned(),
-        Outcome::Exact => format!("0 of {}", expected.len()),
-        _ => format!("{} of {}", missed + spurious, expected.len()),
+        Outcome::Empty => String::new(),
+        _ => format!("{}/{}", missed + spurious, expected.len()),
     };
     Found::new(outcome, text)
 }
@@ -71,9 +74,10 @@ fn broken_loop(
     if of_loops != *edges {
         return Some(format!("loops of {} edges, {} edges extracted", of_loops.len(), edges.len()));
     }
-    let is_consistent = topology.edges().ids().all(|edge| {
-        topology.half_edges(edge).len() == 1 || topology.consistent_pair(mesh, edge).is_some()
-    });
+    let is_consistent = topology
+        .edges()
+        .ids()
+        .all(|edge| topology.half_edges(edge).len() == 1 || topology.consistent_pair(mesh, edge).is_some());
     let end = |half_edge: silhouette_core::HalfEdgeId| {
         mesh.triangles()[half_edge.face().index()][(half_edge.slot() as usize + 1) % 3]
     };

@@ -8,6 +8,7 @@
 //! | [`edges`], [`curves`], [`pictures`] | what a method yields for a scene, and how far it is from the truth |
 //! | [`cell`] | the outcome of one method at one extreme |
 //! | [`matrix`] | every row times every method; a panic stays in its cell |
+//! | [`growth`] | how errors grow, beside naive 32-bit arithmetic, as charts |
 //! | [`page`] | `docs/STABILITY.md` |
 //!
 //! `cargo run -p silhouette-extremes` writes the page anew; the tests of this package fail where an outcome is not the expected one
@@ -19,6 +20,7 @@ pub mod cell;
 pub mod curves;
 pub mod edges;
 pub mod families;
+pub mod growth;
 pub mod matrix;
 pub mod meshes;
 pub mod page;

@@ -38,16 +38,16 @@ pub fn run(gpu: &Gpu, rows: &[Row]) -> Vec<Cell> {
     let mut plain = Plain::new();
     let mut cells = Vec::new();
     for row in rows {
-        let scene = (row.scene)();
+        let scene = made(|| (row.scene)());
         let truth = scene.as_ref().map(Truth::new);
-        let plain_scene = (row.plain)();
-        let plain_truth = Truth::new(&plain_scene);
+        let plain_scene = made(|| Ok((row.plain)()));
+        let plain_truth = plain_scene.as_ref().map(Truth::new);
         for entry in registry.entries() {
             let method = entry.info().name;
             for aspect in aspects(entry) {
-                if std::env::var_os("TRACE").is_some() { eprintln!("{method} {}", aspect.name()); }
                 let found = caught(|| {
                     let truth = truth.as_ref().map_err(|found| (*found).clone())?;
+                    let plain_truth = plain_truth.as_ref().map_err(|found| (*found).clone())?;
                     if row.is_about_options && !truth.scene.concerns(entry.info().options) {
                         return Ok(Found::new(Outcome::NotApplicable, ""));
                     }
@@ -57,7 +57,7 @@ pub fn run(gpu: &Gpu, rows: &[Row]) -> Vec<Cell> {
                     let key = (row.plain_name, method, aspect);
                     let error = error(gpu, entry, aspect, truth)?;
                     let known = plain.entry(key);
-                    let plain = *known.or_insert_with(|| error_or_none(gpu, entry, aspect, &plain_truth));
+                    let plain = *known.or_insert_with(|| error_or_none(gpu, entry, aspect, plain_truth));
                     Ok(judged(aspect, error, plain))
                 });
                 cells.push(Cell { row: row.name, method, aspect, found });
@@ -67,12 +67,36 @@ pub fn run(gpu: &Gpu, rows: &[Row]) -> Vec<Cell> {
     cells
 }
 
+/// The cells whose outcome is not the expected one, as sentences. Of a row about options, methods that have none of them are not
+/// concerned.
+pub fn surprises(rows: &[Row], cells: &[Cell]) -> Vec<String> {
+    let row_of = |cell: &Cell| rows.iter().find(|row| row.name == cell.row);
+    let surprise = |cell: &Cell| {
+        let Some(row) = row_of(cell) else { return Some(format!("no row is called {}", cell.row)) };
+        let expected = row.expected_of(cell.method, cell.aspect).outcome;
+        let Found { outcome, text } = &cell.found;
+        let is_unconcerned = row.is_about_options && *outcome == Outcome::NotApplicable;
+        (*outcome != expected && !is_unconcerned).then(|| {
+            let (found, expected) = (outcome.word(), expected.word());
+            format!("{}, {} {}: {found} ({text}), not {expected}", cell.row, cell.method, cell.aspect.name())
+        })
+    };
+    cells.iter().filter_map(surprise).collect()
+}
+
+/// Makes a scene; a panic is the fault of all its cells.
+fn made(scene: impl FnOnce() -> Result<Scene, Found>) -> Result<Scene, Found> {
+    let made = catch_unwind(AssertUnwindSafe(scene));
+    made.unwrap_or_else(|panic| Err(Found::fault(format!("panicked: {}", message(&*panic)))))
+}
+
 /// Runs a cell; a panic is its fault.
 fn caught(cell: impl FnOnce() -> Result<Found, Found>) -> Found {
     let found = catch_unwind(AssertUnwindSafe(cell));
-    found.map_or_else(|panic| Found::fault(format!("panicked: {}", message(&*panic))), |found| {
-        found.unwrap_or_else(|found| found)
-    })
+    found.map_or_else(
+        |panic| Found::fault(format!("panicked: {}", message(&*panic))),
+        |found| found.unwrap_or_else(|found| found),
+    )
 }
 
 fn message(panic: &(dyn Any + Send)) -> String {
@@ -80,26 +104,25 @@ fn message(panic: &(dyn Any + Send)) -> String {
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
 }
 
-fn error(gpu: &Gpu, entry: &Entry, aspect: Aspect, truth: &Truth<'_>) -> Result<Option<f64>, Found> {
+/// How far a method is from the truth. Of lines, the larger of the shares that are missed and spurious, at 1 pixel; of filled pictures,
+/// the area that is covered by one of picture and truth alone, over that of the truth; of curves, a distance in pixels.
+fn error(gpu: &Gpu, entry: &Entry, aspect: Aspect, truth: &Truth<'_>) -> Result<f64, Found> {
     match aspect {
         Aspect::Edges | Aspect::Curves => curves::distance_px(entry, truth),
-        Aspect::Lines => pictures::line_error(gpu, entry, truth),
-        Aspect::Fill => pictures::fill_error(gpu, entry, truth),
+        Aspect::Lines => {
+            let metrics = pictures::line_metrics(gpu, entry, truth)?;
+            Ok(metrics.missed_1px.max(metrics.spurious_1px))
+        }
+        Aspect::Fill => Ok(pictures::fill_metrics(gpu, entry, truth)?.xor_share),
     }
 }
 
 fn error_or_none(gpu: &Gpu, entry: &Entry, aspect: Aspect, truth: &Truth<'_>) -> Option<f64> {
-    error(gpu, entry, aspect, truth).ok().flatten()
-}
-
-/// The error of a method in a scene that is plain.
-pub fn plain_error(gpu: &Gpu, entry: &Entry, aspect: Aspect, scene: &Scene) -> Option<f64> {
-    error_or_none(gpu, entry, aspect, &Truth::new(scene))
+    error(gpu, entry, aspect, truth).ok()
 }
 
 /// An outcome by how much larger the error is than in the plain case.
-fn judged(aspect: Aspect, error: Option<f64>, plain: Option<f64>) -> Found {
-    let Some(error) = error else { return Found::new(Outcome::Empty, "") };
+fn judged(aspect: Aspect, error: f64, plain: Option<f64>) -> Found {
     let bound = if aspect == Aspect::Curves { CURVE_BOUND_PX } else { SHARE_BOUND };
     let outcome = if error <= plain.unwrap_or(0.0) + bound { Outcome::Same } else { Outcome::Differs };
     let text = if aspect == Aspect::Curves { format!("{error:.1} px") } else { format!("{:.1} %", 100.0 * error) };

@@ -14,8 +14,8 @@ pub fn torus() -> TriangleMesh {
     mapped(&builtin("torus:24,16"), |p| (p * LATTICE).round() / LATTICE)
 }
 
-/// The torus with each face split at a point that lies 1e-8 of an edge's length from that edge, as far as 32 bits can tell.
-pub fn slivers() -> TriangleMesh {
+/// The torus with each face split at a point that lies 1/aspect of the face's height from an edge, as far as 32 bits can tell.
+pub fn slivers(aspect: f64) -> TriangleMesh {
     let mesh = torus();
     let mut positions = mesh.positions().to_vec();
     let mut triangles = Vec::new();
@@ -23,7 +23,7 @@ pub fn slivers() -> TriangleMesh {
         let [p, q, r] = [a, b, c].map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
         let on_edge = p.lerp(q, 0.375);
         let new = positions.len() as u32;
-        positions.push(on_edge.lerp(r, 1e-8).as_vec3());
+        positions.push(on_edge.lerp(r, 1.0 / aspect).as_vec3());
         triangles.extend([[a, b, new], [b, c, new], [c, a, new]]);
     }
     TriangleMesh::new(positions, triangles).expect("indices are in range")

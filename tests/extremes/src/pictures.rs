@@ -1,9 +1,9 @@
 //! Pictures, drawn as an application draws them, against the truth of lines and of filled pictures.
 
-use crate::cell::Found;
+use crate::cell::{Found, Outcome};
 use crate::scene::Scene;
 use crate::truth::Truth;
-use silhouette_compare::metrics::{FilledPicture, Ink, TruePen, measure, measure_fill};
+use silhouette_compare::metrics::{FillMetrics, FilledPicture, Ink, LineMetrics, TruePen, measure, measure_fill};
 use silhouette_compare::registry::{Entry, Prepared};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::{NoProgress, Topology};
@@ -34,12 +34,7 @@ fn bounds(scene: &Scene, placed: Option<Bounds>) -> Bounds {
     placed.unwrap_or(Bounds { min: target, max: target, center: target, radius: 0.5 * eye.distance(target) })
 }
 
-fn stroke_renderer(
-    gpu: &Gpu,
-    scene: &Scene,
-    prepared: Prepared,
-    buffers: &Arc<MeshBuffers>,
-) -> Box<dyn FrameRenderer> {
+fn stroke_renderer(gpu: &Gpu, scene: &Scene, prepared: Prepared, buffers: &Arc<MeshBuffers>) -> Box<dyn FrameRenderer> {
     let pen = Pen { width_px: scene.pen_px, placement: PenPlacement::Centred };
     let style = StrokeStyle { pen, ..StrokeStyle::default() };
     let pipelines = Arc::new(StrokePipelines::new(gpu.device(), scene.formats, style));
@@ -94,31 +89,32 @@ fn drawn(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>, fills: bool) -> Result<(Im
     Ok((image, placement))
 }
 
-/// The larger of the shares of line missed and of ink that is spurious, at 1 pixel; `None` where there is no ink.
+/// What a picture of lines scores.
 ///
 /// # Errors
-/// A refusal, or a fault.
-pub fn line_error(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>) -> Result<Option<f64>, Found> {
+/// A refusal, a fault, or that there is no ink.
+pub fn line_metrics(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>) -> Result<LineMetrics, Found> {
     let (image, placement) = drawn(gpu, entry, truth, false)?;
     let ink = Ink::from_picture(&image);
+    let lines = truth.lines().map_err(Found::fault)?;
     if ink.ink_pixels().next().is_none() {
-        return Ok(None);
+        return Err(Found::new(Outcome::Empty, format!("of {:.0} px", lines.total_length_px().abs())));
     }
     let picture = truth.pen(placement).map_err(Found::fault)?;
     let pen = TruePen { picture: &picture, width_px: truth.scene.pen_px };
-    let metrics = measure(&ink, truth.lines().map_err(Found::fault)?, pen);
-    Ok(Some(metrics.missed_1px.max(metrics.spurious_1px)))
+    Ok(measure(&ink, lines, pen))
 }
 
-/// The area that is covered by one of picture and truth alone, over that of the truth; `None` where nothing is covered.
+/// What a filled picture scores.
 ///
 /// # Errors
-/// A refusal, or a fault.
-pub fn fill_error(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>) -> Result<Option<f64>, Found> {
+/// A refusal, a fault, or that nothing is covered.
+pub fn fill_metrics(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>) -> Result<FillMetrics, Found> {
     let drawn = FilledPicture::new(drawn(gpu, entry, truth, true)?.0);
+    let truth = truth.fill(gpu).map_err(Found::fault)?;
     if drawn.coverage().ink_pixels().next().is_none() {
-        return Ok(None);
+        let area: f64 = truth.coverage().coverages().iter().map(|&share| f64::from(share)).sum();
+        return Err(Found::new(Outcome::Empty, format!("of {area:.0} px²")));
     }
-    let metrics = measure_fill(&drawn, truth.fill(gpu).map_err(Found::fault)?);
-    Ok(Some(metrics.xor_share))
+    Ok(measure_fill(&drawn, truth))
 }

@@ -101,6 +101,18 @@ impl Row {
         self
     }
 
+    /// One more expectation of what some methods yield.
+    #[must_use]
+    pub fn expect_of(self, aspect: Aspect, methods: &[&'static str], outcome: Outcome, why: &'static str) -> Self {
+        methods.iter().fold(self, |row, method| row.expect(Who::Of(method, aspect), outcome, why))
+    }
+
+    /// `randomized` happens to meet every loop.
+    #[must_use]
+    pub fn expect_all_of_randomized(self) -> Self {
+        self.expect(Who::Of("randomized", Aspect::Edges), Outcome::Exact, "it meets every loop of this view")
+    }
+
     /// What is expected of a cell.
     pub fn expected_of(&self, method: &str, aspect: Aspect) -> Expectation {
         let is_about = |expectation: &&Expectation| match expectation.who {

@@ -19,7 +19,7 @@ pub const SIZE: [u32; 2] = [96, 96];
 pub const PEN_PX: f64 = 2.0;
 
 /// Options with which silhouette textures are baked in a second or two.
-const QUICK: [(&str, &str); 3] = [("hull-vertices", "100"), ("size", "64"), ("azimuths", "16")];
+const QUICK: [(&str, &str); 3] = [("hull-vertices", "100"), ("size", "96"), ("azimuths", "16")];
 
 /// A mesh, how it is seen, and what it is drawn with.
 #[derive(Clone)]

@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 use silhouette_compare::metrics::{FilledPicture, Ink};
 use silhouette_compare::truth::fill::FillTruth;
-use silhouette_compare::truth::{Truth as ViewTruth, TruthFinder, TrueLines};
+use silhouette_compare::truth::{TrueLines, Truth as ViewTruth, TruthFinder};
 use silhouette_core::{NoProgress, PreparedMesh, SilhouetteEdges, Topology};
 use silhouette_gpu::{Pen, PenPlacement};
 use silhouette_render::Gpu;

@@ -148,8 +148,7 @@ mod tests {
         let tight = |distance: f64| ClipRange { near: distance - 1.0, far: distance + 1.0 };
         let wide = ClipRange { near: 1e-6, far: 10.0 };
         let infinite = ClipRange { near: 0.1, far: f64::INFINITY };
-        for (distance, range) in
-            [(3.0, tight(3.0)), (1e4, tight(1e4)), (1e7, tight(1e7)), (4.0, wide), (4.0, infinite)]
+        for (distance, range) in [(3.0, tight(3.0)), (1e4, tight(1e4)), (1e7, tight(1e7)), (4.0, wide), (4.0, infinite)]
         {
             let projection = Projection::Perspective { fov_y_rad: 3.0 / distance };
             let camera = Camera::new(Vec3::Z * distance as f32, Vec3::ZERO, Vec3::Y, projection, [8, 8]).unwrap();
