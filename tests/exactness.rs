@@ -3,59 +3,29 @@
 
 use crate::seen::look;
 use glam::Vec3;
-use num_bigint::{BigInt, Sign};
 use silhouette_compare::registry::Registry;
 use silhouette_core::method::{OptionValues, PrepareError};
-use silhouette_core::{ExtractsEdges, NoProgress, SilhouetteEdges, Topology, TriangleMesh, Viewpoint};
+use silhouette_core::{ExtractsEdges, NoProgress, SilhouetteEdges, TriangleMesh, Viewpoint};
 use silhouette_testing::edits::mapped;
+use silhouette_testing::integers::IntegerMesh;
 use silhouette_testing::prepare::{artefact, prepared};
 use silhouette_testing::views::{hard_eye, seen_from};
 use silhouette_testing::{Random, builtin};
-use std::sync::Arc;
 
 const RANDOM_VIEWS: usize = 10_000;
 const HARD_VIEWS: usize = 1_000;
 
-type Point = [BigInt; 3];
-
-/// A 32-bit float in units of the smallest one, without rounding.
-fn integer(x: f32) -> BigInt {
-    let bits = x.to_bits();
-    let exponent = (bits >> 23) & 0xff;
-    let fraction = bits & 0x7f_ffff;
-    let magnitude =
-        if exponent == 0 { BigInt::from(fraction) } else { BigInt::from(fraction | 0x80_0000) << (exponent - 1) };
-    if x.is_sign_negative() { -magnitude } else { magnitude }
-}
-
-fn point(p: Vec3) -> Point {
-    p.to_array().map(integer)
-}
-
-fn sub(a: &Point, b: &Point) -> Point {
-    std::array::from_fn(|i| &a[i] - &b[i])
-}
-
-fn cross(a: &Point, b: &Point) -> Point {
-    std::array::from_fn(|i| &a[(i + 1) % 3] * &b[(i + 2) % 3] - &a[(i + 2) % 3] * &b[(i + 1) % 3])
-}
-
 /// A mesh with what its silhouettes follow from, in integers.
 struct Case {
     mesh: TriangleMesh,
-    topology: Arc<Topology>,
-    /// Normal and first corner of each face.
-    planes: Vec<(Point, Point)>,
+    exact: IntegerMesh,
     methods: Vec<(&'static str, Box<dyn ExtractsEdges>)>,
 }
 
 impl Case {
     fn new(mesh: TriangleMesh) -> Self {
         let prepared = prepared(mesh.clone());
-        let planes = mesh.triangles().iter().map(|triangle| {
-            let [a, b, c] = triangle.map(|vertex| point(mesh.positions()[vertex as usize]));
-            (cross(&sub(&b, &a), &sub(&c, &a)), a)
-        });
+        let exact = IntegerMesh::new(&mesh, artefact(&prepared));
         let registry = Registry::builtin();
         let methods = registry.entries().iter().filter(|entry| entry.info().exact).filter_map(|entry| {
             let info = entry.info();
@@ -66,27 +36,7 @@ impl Case {
                 Err(error) => panic!("{}: {error}", info.name),
             }
         });
-        let (planes, methods) = (planes.collect(), methods.collect());
-        Self { topology: artefact(&prepared), mesh, planes, methods }
-    }
-
-    /// The silhouette edges, by integers alone.
-    fn expected(&self, viewpoint: &Viewpoint) -> SilhouetteEdges {
-        let front = self.planes.iter().map(|(normal, corner)| {
-            let toward_viewer = match *viewpoint {
-                Viewpoint::Perspective { eye } => sub(&point(eye), corner),
-                Viewpoint::Orthographic { toward_viewer } => point(toward_viewer),
-            };
-            let side: BigInt = normal.iter().zip(&toward_viewer).map(|(a, b)| a * b).sum();
-            side.sign() == Sign::Plus
-        });
-        let front: Vec<bool> = front.collect();
-        let mut edges = SilhouetteEdges::default();
-        edges.refill(self.topology.edges().ids().filter(|&edge| {
-            let sides: Vec<_> = self.topology.faces(edge).map(|face| front[face.index()]).collect();
-            if let [side] = sides[..] { side } else { sides.contains(&true) && sides.contains(&false) }
-        }));
-        edges
+        Self { exact, mesh, methods: methods.collect() }
     }
 
     /// Number of edges on which methods and integers differ, over both kinds of view towards `eye`.
@@ -96,7 +46,7 @@ impl Case {
     }
 
     fn differing_in(&mut self, viewpoint: &Viewpoint) -> usize {
-        let expected = self.expected(viewpoint);
+        let expected = self.exact.silhouette_edges(viewpoint);
         let mut found = SilhouetteEdges::default();
         let mut differing = 0;
         for (_, method) in &mut self.methods {
@@ -156,7 +106,7 @@ fn integers_distinguish_neighbouring_floats() {
     let eye = |y: f32| Vec3::new(0.1, y, 0.2);
     let above = f32::from_bits(top.to_bits() + 1);
     assert_eq!(case.differing(eye(top)) + case.differing(eye(above)), 0);
-    let edges = |y| case.expected(&seen_from(eye(y)));
+    let edges = |y| case.exact.silhouette_edges(&seen_from(eye(y)));
     assert_ne!(edges(top), edges(above));
     assert_eq!(look(&case.mesh, &seen_from(eye(above))).edges, edges(above));
 }

@@ -10,22 +10,25 @@ struct LineUniform {
     span_px: vec2<f32>,
     // As the target takes it, premultiplied.
     color: vec4<f32>,
-    // (p, q, r, s): a value v of the depth buffer stands for the view depth (p v + q) / (r v + s).
+    // (p, q, r, s): a value v of the depth buffer stands for the depth (p v + q) / (r v + s) beyond the near plane.
     depth_of_value: vec4<f32>,
+    // Multiplies a value of a floating-point buffer to push it one step away from the viewer.
+    away_scale: f32,
     // Added to a depth-buffer value to push it one quantisation step away from the viewer.
     away_step: f32,
     // Value of pixels that nothing was drawn to.
     clear_depth: f32,
-    // A line is hidden only if farther than the scene by more than this share of the scene's depth ...
+    // A line is hidden only if farther than the scene by more than this share of the scene's depth beyond the near plane ...
     relative_tolerance: f32,
-    // ... plus this depth.
+    // ... plus this depth ...
     absolute_tolerance: f32,
+    // ... or by more than this one.
+    most_tolerance: f32,
     // 0 round, 1 miter, 2 bevel.
     join: u32,
     miter_limit: f32,
     // 1: the mesh hides lines; 0: hidden lines are drawn too.
     hide: u32,
-    _pad: u32,
 }
 
 @group(0) @binding(0) var<uniform> style: LineUniform;
@@ -50,8 +53,8 @@ fn lets_through(p: vec2<f32>, a: vec3<f32>, b: vec3<f32>) -> bool {
         return true;
     }
     let line = view_depth(mix(a.z, b.z, along(pixel + 0.5, a.xy, b.xy)));
-    let behind = view_depth(clamp(scene + style.away_step, 0.0, 1.0));
-    return line <= behind + behind * style.relative_tolerance + style.absolute_tolerance;
+    let behind = view_depth(clamp(scene * style.away_scale + style.away_step, 0.0, 1.0));
+    return line <= behind + min(behind * style.relative_tolerance + style.absolute_tolerance, style.most_tolerance);
 }
 
 // Whether the segment's point nearest to p is visible: a visible silhouette edge has something farther on its outer

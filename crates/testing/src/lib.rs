@@ -30,6 +30,7 @@
 //! | [`directions`] | directions spread over the sphere, along axes, one per octant |
 //! | [`views`] | cameras that frame a mesh, orbits, viewpoints that are hard to get right |
 //! | [`prepare`](mod@prepare) | a prepared mesh, an artefact, a method with its defaults, options that prepare quickly |
+//! | [`integers`] | silhouette edges by unbounded integers, the oracle of exact methods |
 //! | [`edges`] | end points and lengths of edges in double precision |
 //! | [`progress`] | progress that cancels |
 //! | [`threads`] | work in a pool of a given size |
@@ -53,6 +54,7 @@ pub mod edges;
 pub mod edits;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+pub mod integers;
 pub mod lattice_scenes;
 pub mod mutations;
 pub mod pace;

@@ -54,6 +54,17 @@ pub enum HullError {
     /// The object has no faces, or all its vertices are in one place.
     #[error("the object has no extent: it has no faces, or all their corners are in one place")]
     NoExtent,
+    /// 32-bit positions around the object are farther apart than the smallest offset, so that no surface close to it can be written
+    /// down, and the search for one would take hours.
+    #[error(
+        "the object lies so far from zero that 32-bit positions near it are up to {step:.1e} apart, more than a thousandth of its radius of {radius:.1e}; have them count from an origin close to it"
+    )]
+    TooFar {
+        /// Most that neighbouring positions are apart.
+        step: f64,
+        /// Radius of the bounding sphere.
+        radius: f64,
+    },
     /// Too few vertices were asked for.
     #[error("a hull of {0} vertices was asked for; ask for 4 or more")]
     TooFewVertices(usize),

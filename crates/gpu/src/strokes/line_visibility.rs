@@ -16,17 +16,26 @@ use silhouette_core::view::DepthDirection;
 /// below the thickness of what may hide a line: at three radii from a mesh it is 3e-4 radii.
 const TOLERANCE: f64 = 1e-4;
 
+/// The tolerance is at most this share of the depth range. Seen from a thousand radii away, a share of the depth is more than what
+/// hides a line is thick; up to seven radii away, with planes tight around a mesh, it is the smaller of the two.
+const MOST_OF_RANGE: f64 = 4.0 * TOLERANCE;
+
 /// How values of one depth buffer are compared with the depth of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthScale {
-    /// `(p, q, r, s)`: the value v stands for the depth `(p v + q) / (r v + s)`, in an arbitrary unit.
+    /// `(p, q, r, s)`: the value v stands for the depth `(p v + q) / (r v + s)` beyond the near plane, in an arbitrary unit. Beyond
+    /// the near plane, so that of a mesh that is far away and thin the thickness is left, not the difference of two distances.
     pub(super) depth_of_value: [f64; 4],
-    /// Added to a value to push it one quantisation step away from the viewer.
+    /// Multiplies a value to push it one step of a floating-point buffer away from the viewer; 1 for other buffers.
+    pub(super) away_scale: f32,
+    /// Added to a value to push it one quantisation step away from the viewer; 0 for floating-point buffers.
     pub(super) away_step: f32,
     /// Value of pixels that nothing was drawn to.
     pub(super) clear_depth: f32,
     pub(super) relative_tolerance: f64,
     pub(super) absolute_tolerance: f64,
+    /// Both together are at most this.
+    pub(super) most_tolerance: f64,
 }
 
 impl DepthScale {
@@ -34,32 +43,53 @@ impl DepthScale {
     pub fn new(view: &FrameView, format: wgpu::TextureFormat) -> Self {
         let law = view.depth_law();
         let range = law.range();
-        // Depths in units of the far plane, or of the depth range, so that any model unit fits 32-bit floats.
-        let (unit, relative_tolerance, absolute_tolerance) = if law.is_perspective() {
-            (if range.far.is_finite() { range.far } else { range.near }, TOLERANCE, 0.0)
+        let thickness = range.far - range.near;
+        // Depths in units of the depth range, or of the near plane, so that any model unit fits 32-bit floats.
+        let unit = if thickness.is_finite() { thickness } else { range.near };
+        let (relative_tolerance, absolute_tolerance, most_tolerance) = if law.is_perspective() {
+            (TOLERANCE, TOLERANCE * range.near / unit, MOST_OF_RANGE * thickness / unit)
         } else {
-            (range.far - range.near, 0.0, TOLERANCE)
+            (0.0, TOLERANCE, TOLERANCE)
         };
-        let [p, q, r, s] = law.depth_of_value_terms();
-        let terms = [p / unit, q / unit, r, s];
+        let (direction, nearest, clear_depth) = match view.depth_direction() {
+            DepthDirection::Standard => (1.0, 0.0, 1.0),
+            DepthDirection::Reversed => (-1.0, 1.0, 0.0),
+        };
+        let [p, _, r, s] = law.depth_of_value_terms();
+        // 0 at the near plane, to the last bit.
+        let slope = (p - range.near * r) / unit;
+        let terms = [slope, -slope * nearest, r, s];
         let largest = terms[2].abs().max(terms[3].abs());
         // Half a step is the rounding of the value; hardware may round the interpolation as much again.
-        let step = match format {
-            wgpu::TextureFormat::Depth16Unorm => 1.0 / 65_535.0,
-            wgpu::TextureFormat::Depth32Float => f32::EPSILON,
-            _ => 4.0 / 16_777_215.0,
-        };
-        let (away_step, clear_depth) = match view.depth_direction() {
-            DepthDirection::Standard => (step, 1.0),
-            DepthDirection::Reversed => (-step, 0.0),
+        let (away_scale, away_step) = match format {
+            wgpu::TextureFormat::Depth32Float => (1.0 + direction * f32::EPSILON, 0.0),
+            wgpu::TextureFormat::Depth16Unorm => (1.0, direction / 65_535.0),
+            _ => (1.0, direction * 4.0 / 16_777_215.0),
         };
         let depth_of_value = terms.map(|term| term / largest);
-        Self { depth_of_value, away_step, clear_depth, relative_tolerance, absolute_tolerance }
+        Self {
+            depth_of_value,
+            away_scale,
+            away_step,
+            clear_depth,
+            relative_tolerance,
+            absolute_tolerance,
+            // What is infinite is no bound, and no number for every driver.
+            most_tolerance: most_tolerance.min(f64::from(f32::MAX)),
+        }
     }
 
     fn depth(&self, value: f64) -> f64 {
         let [p, q, r, s] = self.depth_of_value;
         (p * value + q) / (r * value + s)
+    }
+
+    /// Whether what is drawn with the value `line` shows before a scene of the value `scene`.
+    fn shows(&self, line: f64, scene: f32) -> bool {
+        let away = f64::from(scene * self.away_scale + self.away_step);
+        let behind = self.depth(away.clamp(0.0, 1.0));
+        let tolerance = (behind * self.relative_tolerance + self.absolute_tolerance).min(self.most_tolerance);
+        self.depth(line) <= behind + tolerance
     }
 }
 
@@ -95,9 +125,7 @@ impl SceneDepth<'_> {
         let along = (segment.b - segment.a).truncate();
         let center = pixel + 0.5 - segment.a.truncate();
         let nearest = (center.dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
-        let line = self.scale.depth(segment.a.lerp(segment.b, nearest).z);
-        let behind = self.scale.depth(f64::from(scene + self.scale.away_step).clamp(0.0, 1.0));
-        line <= behind + behind * self.scale.relative_tolerance + self.scale.absolute_tolerance
+        self.scale.shows(segment.a.lerp(segment.b, nearest).z, scene)
     }
 }
 
@@ -112,6 +140,24 @@ mod tests {
     fn view(projection: Projection, direction: DepthDirection) -> FrameView {
         let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y, projection, [8, 8]).unwrap();
         FrameView::from_camera(&camera, RANGE, direction).unwrap()
+    }
+
+    /// From 1e7 away, and with planes so far from each other that all values are tiny, a tenth of what is seen hides a line.
+    #[test]
+    fn what_is_thin_hides_lines_whatever_its_distance_and_the_planes() {
+        let tight = |distance: f64| ClipRange { near: distance - 1.0, far: distance + 1.0 };
+        let wide = ClipRange { near: 1e-6, far: 10.0 };
+        let infinite = ClipRange { near: 0.1, far: f64::INFINITY };
+        for (distance, range) in [(3.0, tight(3.0)), (1e4, tight(1e4)), (1e7, tight(1e7)), (4.0, wide), (4.0, infinite)]
+        {
+            let projection = Projection::Perspective { fov_y_rad: 3.0 / distance };
+            let camera = Camera::new(Vec3::Z * distance as f32, Vec3::ZERO, Vec3::Y, projection, [8, 8]).unwrap();
+            let view = FrameView::from_camera(&camera, range, DepthDirection::Reversed).unwrap();
+            let scale = DepthScale::new(&view, wgpu::TextureFormat::Depth32Float);
+            let value = |beyond: f64| view.depth_law().value_at(distance + beyond);
+            assert!(scale.shows(value(-0.1), value(0.0) as f32) && scale.shows(value(0.0), value(0.0) as f32));
+            assert!(!scale.shows(value(0.1), value(0.0) as f32), "{distance} {range:?}");
+        }
     }
 
     #[test]

@@ -26,14 +26,16 @@ struct LineUniform {
     span_px: [f32; 2],
     color: [f32; 4],
     depth_of_value: [f32; 4],
+    away_scale: f32,
     away_step: f32,
     clear_depth: f32,
     relative_tolerance: f32,
     absolute_tolerance: f32,
+    most_tolerance: f32,
     join: u32,
     miter_limit: f32,
     hide: u32,
-    _pad: u32,
+    _pad: [u32; 3],
 }
 
 /// Draws polylines as strokes, hidden where the mesh is in front.
@@ -155,14 +157,16 @@ impl FrameRenderer for StrokeRenderer {
             span_px: span_px.map(|distance| distance as f32),
             color: style.ink.for_target(&formats),
             depth_of_value: scale.depth_of_value.map(|term| term as f32),
+            away_scale: scale.away_scale,
             away_step: scale.away_step,
             clear_depth: scale.clear_depth,
             relative_tolerance: scale.relative_tolerance as f32,
             absolute_tolerance: scale.absolute_tolerance as f32,
+            most_tolerance: scale.most_tolerance as f32,
             join,
             miter_limit,
             hide: u32::from(style.hidden == Hidden::Removed),
-            _pad: 0,
+            _pad: [0; 3],
         };
         self.uniform.write(queue, &uniform);
         self.viewport = Some(viewport);
@@ -212,14 +216,15 @@ mod tests {
             span_px,
             color,
             depth_of_value,
+            away_scale,
             away_step,
             clear_depth,
             relative_tolerance,
             absolute_tolerance,
+            most_tolerance,
             join,
             miter_limit,
-            hide,
-            _pad
+            hide
         );
         for stage in [silhouette_shaders::gpu::LINE_SEGMENTS, silhouette_shaders::gpu::LINE_JOINS] {
             assert!(layout::matches(stage, "LineUniform", size_of::<LineUniform>(), &members));

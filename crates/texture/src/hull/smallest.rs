@@ -7,6 +7,7 @@ use crate::hull::enclosure::{Enclosed, Enclosure};
 use crate::hull::offset_surface::offset_surface;
 use crate::hull::{Failure, Hull, HullError};
 use silhouette_core::mesh::Bounds;
+use silhouette_core::origin::largest_rounding;
 use silhouette_core::{Cancelled, Progress, TriangleMesh};
 use silhouette_rays::MeshHierarchy;
 use std::sync::Arc;
@@ -76,6 +77,10 @@ impl Hull {
             return Err(HullError::TooFewVertices(vertices));
         }
         let bounds = object.bounds().filter(|bounds| bounds.radius > 0.0).ok_or(HullError::NoExtent)?;
+        let (step, radius) = (2.0 * largest_rounding(object), bounds.radius);
+        if step > LEAST_OFFSET * radius {
+            return Err(HullError::TooFar { step, radius });
+        }
         progress.stage("hull", 0);
         progress.check()?;
         let capped = capped(object, options.closed_holes * bounds.radius);
