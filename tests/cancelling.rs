@@ -13,6 +13,7 @@ use silhouette_testing::pace::Pace;
 use silhouette_testing::prepare::{cheap_options, prepared};
 use silhouette_testing::{Cancelling, builtin};
 use std::fmt::Write as _;
+use std::io::{Write as _, stderr};
 use std::time::Duration;
 
 /// Faces of the mesh; the variable `SILHOUETTES_CANCEL_FACES` overrides this.
@@ -74,7 +75,7 @@ fn long_work_asks_and_stops() {
         let pace = Pace::begin();
         work(&pace).unwrap_or_else(|error| panic!("{name}: {error}"));
         let (longest, stage, polls) = pace.end();
-        eprintln!("{name}: asks {polls} times, at most {longest:?} apart, in '{stage}'");
+        writeln!(stderr(), "{name}: asks {polls} times, at most {longest:?} apart, in '{stage}'").unwrap();
         assert!(longest < MOST, "{name}: {longest:?} in '{stage}'");
         // Methods that prepare nothing ask nothing. How often others ask may depend on what threads find done.
         for poll in [0, polls / 2].into_iter().filter(|_| polls > 0) {

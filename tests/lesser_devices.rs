@@ -8,6 +8,7 @@ use silhouette_testing::prepare::{cheap_options, prepared};
 use silhouette_testing::views::three_quarter;
 use silhouette_testing::{builtin, gpu_or_skip};
 use std::collections::BTreeMap;
+use std::io::Write as _;
 use std::sync::Arc;
 
 const SIZE: [u32; 2] = [96, 64];
@@ -60,11 +61,14 @@ fn what_every_device_has_is_enough() {
     }
 }
 
+/// What a device has less of, and which methods are to say so.
+type Case = (&'static str, fn(&mut wgpu::Limits), &'static [&'static str]);
+
 /// No 3-D texture, buffer or picture of the size: the methods that need one say so and what to choose, the others draw.
 #[test]
 fn what_does_not_fit_is_refused_by_name() {
     let test = "what_does_not_fit_is_refused_by_name";
-    let cases: [(&str, fn(&mut wgpu::Limits), &[&str]); 3] = [
+    let cases: [Case; 3] = [
         ("3-D textures", |limits| limits.max_texture_dimension_3d = 4, &["texture"]),
         ("buffers", |limits| limits.max_buffer_size = 1024, &["brute-force", "fine-mesh"]),
         ("bindings", |limits| limits.max_storage_buffer_binding_size = 1024, &[]),
@@ -73,7 +77,7 @@ fn what_does_not_fit_is_refused_by_name() {
         let Some(gpu) = lesser(test, lower) else { return };
         let outcomes = outcomes(&gpu, what);
         for (method, outcome) in &outcomes {
-            eprintln!("{what}: {method}: {outcome:?}");
+            writeln!(std::io::stderr(), "{what}: {method}: {outcome:?}").unwrap();
         }
         for method in expected {
             let refusal = outcomes[method].as_ref().unwrap_err();

@@ -47,10 +47,7 @@ fn registry() -> &'static Registry {
 }
 
 fn is_accepted<T, E: Display>(result: Result<T, E>) -> bool {
-    if let Err(error) = &result {
-        check_message(&error.to_string());
-    }
-    result.is_ok()
+    result.map_err(|error| check_message(&error.to_string())).is_ok()
 }
 
 fn scene(text: &str) -> bool {

@@ -88,7 +88,7 @@ fn check_method(entry: &Entry, mesh: &Arc<PreparedMesh>, topology: &Topology, vi
         if let Some(method) = method.curves() {
             let mut curves = SilhouetteCurves::default();
             method.extract_curves(view, &mut curves);
-            let is_finite = curves.pieces().iter().flat_map(|piece| piece.control).all(|point| point.is_finite());
+            let is_finite = curves.pieces().iter().flat_map(|piece| piece.control).all(Vec3::is_finite);
             assert!(is_finite, "{} from {view:?}: a curve goes nowhere", info.name);
         }
     }

@@ -114,7 +114,7 @@ mod tests {
             assert_eq!(scaled.primitive_indices, usual.primitive_indices, "2^{exponent}");
             for (node, other) in scaled.nodes.iter().zip(&usual.nodes) {
                 let expected = [other.aabb().min, other.aabb().max].map(|c| c.as_dvec3() * exponent.exp2());
-                assert_eq!([node.aabb().min, node.aabb().max].map(|c| c.as_dvec3()), expected);
+                assert_eq!([node.aabb().min.as_dvec3(), node.aabb().max.as_dvec3()], expected);
             }
         }
     }
