@@ -46,9 +46,15 @@ pub fn rows() -> Vec<Row> {
             .expect_of(Lines, &["gbuffer-filter", "jump-flood", "texture-lines"], Empty, THIN)
             .expect_of(
                 Fill,
-                &["boundary-curve", "normal-map-hull"],
+                &["normal-map-hull"],
                 Differs,
-                "it fills what curves or a hull enclose, which has a thickness",
+                "it fills what a hull encloses, which has a thickness",
+            )
+            .expect_of(
+                Fill,
+                &["boundary-curve"],
+                Same,
+                "its curve bulges between the ends of any cylinder, thick or thin, by about half of its height",
             )
             .expect_of(
                 Curves,
