@@ -53,7 +53,8 @@ impl Layers {
         };
         let width_px = drawing.pen().width_px;
         let pen = |width_px: f64| Pen { width_px, placement: PenPlacement::Centred };
-        let (mut below, mut above): (Vec<Box<dyn FrameRenderer>>, Vec<Box<dyn FrameRenderer>>) = Default::default();
+        let mut below: Vec<Box<dyn FrameRenderer>> = Vec::new();
+        let mut above: Vec<Box<dyn FrameRenderer>> = Vec::new();
         if self.shading {
             let style =
                 FillStyle { shade: Shade::Lit(Color { srgb: [0.78, 0.8, 0.84], alpha: 1.0 }), cull: Cull::None };

@@ -39,10 +39,11 @@ impl Tracks {
         let mesh = mesh.clone();
         let mut tracking: Option<ExactTracking> = None;
         Self(Worker::start(wake, move |camera: Camera, progress| {
-            if tracking.is_none() {
-                tracking = Some(prepare(&mesh, progress)?);
-            }
-            Ok(follow(tracking.as_mut().expect("it was made above"), &mesh, camera))
+            let tracking = match &mut tracking {
+                Some(tracking) => tracking,
+                none => none.insert(prepare(&mesh, progress)?),
+            };
+            Ok(follow(tracking, &mesh, camera))
         }))
     }
 

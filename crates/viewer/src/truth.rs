@@ -183,10 +183,10 @@ impl Finders {
         let failed = |error: &dyn std::fmt::Display| Failure::Run(format!("{}: no truth: {error}", mesh.name));
         let (metrics, true_length_px, difference) = match shot.kind {
             PictureKind::Lines => {
-                if self.lines.is_none() {
-                    self.lines = Some(TruthFinder::new(&mesh.mesh, progress).map_err(|error| failed(&error))?);
-                }
-                let finder = self.lines.as_mut().expect("it was made above");
+                let finder = match &mut self.lines {
+                    Some(finder) => finder,
+                    none => none.insert(TruthFinder::new(&mesh.mesh, progress).map_err(|error| failed(&error))?),
+                };
                 progress.stage("the true lines of the view", 0);
                 let truth = match known.take().filter(|truth| truth.camera == shot.camera) {
                     Some(truth) => truth,
@@ -200,11 +200,11 @@ impl Finders {
                 (PictureMetrics::Lines(metrics), Some(length), difference(&drawn, &pen))
             }
             PictureKind::Fill => {
-                if self.fill.is_none() {
-                    progress.stage("the true surface", 0);
-                    self.fill = Some(FillTruth::new(gpu, mesh.mesh.mesh()).map_err(|error| failed(&error))?);
-                }
-                let finder = self.fill.as_mut().expect("it was made above");
+                progress.stage("the true surface", 0);
+                let finder = match &mut self.fill {
+                    Some(finder) => finder,
+                    none => none.insert(FillTruth::new(gpu, mesh.mesh.mesh()).map_err(|error| failed(&error))?),
+                };
                 let truth = finder.find(gpu, &shot.camera).map_err(|error| failed(&error))?;
                 progress.check()?;
                 let drawn = FilledPicture::new(Image::clone(&shot.picture));

@@ -5,6 +5,7 @@ use crate::metrics::Ink;
 use crate::registry::Registry;
 use silhouette_core::shapes;
 use silhouette_core::view::{Framing, ViewPreset};
+use silhouette_gpu::{Color, Cull, FillPipelines, FillRenderer, FillStyle, Shade};
 use silhouette_testing::gpu_or_skip;
 use silhouette_testing::prepare::cheap_options;
 

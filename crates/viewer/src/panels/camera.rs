@@ -27,7 +27,7 @@ pub fn show(ui: &mut egui::Ui, view: &mut View, messages: &mut Messages) {
             }
         }
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.label("projection");
         for (name, is_wanted) in [("perspective", false), ("orthographic", true)] {
             if ui.radio(view.is_orthographic() == is_wanted, name).clicked() {
