@@ -101,7 +101,7 @@ pub fn comparison(
         let drawn = |(mesh, spec): (&NamedMesh, &MeshSpec)| subject(mesh.clone(), spec, Winding::AsItIs, progress);
         meshes.iter().zip(&config.scene().meshes).map(drawn).collect::<Result<_, _>>()?
     };
-    silhouette_compare::run(&config, &subjects, gpu, progress).map_err(failed)
+    silhouette_compare::run(&config, &subjects, gpu, progress).map_err(Failure::of_comparison)
 }
 
 /// Whether some method is there with several settings.
