@@ -49,7 +49,7 @@ pub(crate) const PROGRAM: &str = "silhouettes";
 /// leaves the failure to the caller.
 ///
 /// # Errors
-/// [`Failure`](application::Failure): the command failed, or there is no such command.
+/// [`Failure`]: the command failed, or there is no such command.
 pub fn execute(words: impl IntoIterator<Item = impl Into<OsString>>, registry: &Registry) -> Result<(), Failure> {
     let words = std::iter::once(PROGRAM.into()).chain(words.into_iter().map(Into::into));
     dispatch(calls::arguments(words, registry).map_err(|error| failure::usage(&error, PROGRAM))?, registry)
