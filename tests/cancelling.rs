@@ -1,5 +1,5 @@
-//! Long work asks whether to go on, and stops where it is told to: how long it goes on without asking is printed, and bounded so that a
-//! phase that never asks is found.
+//! Long work polls its [`Progress`] and stops when asked to. The longest time between two polls is printed, and bounded so that a phase
+//! that never polls is found.
 //!
 //! `SILHOUETTES_CANCEL_FACES=1000000 cargo test --release -p silhouette-tests cancelling -- --nocapture` measures it on a large mesh.
 

@@ -9,7 +9,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// How often the interpreter is asked for signals, and the callback told.
+/// How often pending signals are checked and the callback is called.
 const INTERVAL: Duration = Duration::from_millis(50);
 
 /// How far the work is.

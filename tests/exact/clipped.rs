@@ -122,7 +122,7 @@ fn drawings_from_amid_a_scene_are_the_exact_ones() {
 /// The comparison can fail: at another view, and where a chain is missing.
 #[test]
 fn wrong_drawings_from_amid_a_scene_are_told() {
-    let (mut scenes, mut told) = (0, [0; 2]);
+    let (mut scenes, mut caught) = (0, [0; 2]);
     for seed in 0..60 {
         let mut random = Random::new(seed);
         let mesh = without_flat_faces(&scene(FAMILIES[random.below(FAMILIES.len())], &mut random));
@@ -130,11 +130,11 @@ fn wrong_drawings_from_amid_a_scene_are_told() {
         let chains = drawn(&mesh, &one, creases_and_mesh());
         let mut rest = Chains::default();
         chains.iter().skip(1).for_each(|chain| rest.push(chain));
-        for (told, wrong) in told.iter_mut().zip([drawn(&mesh, &other, creases_and_mesh()), rest]) {
-            *told += usize::from(compare(&mesh, &one, &wrong).is_err());
+        for (caught, wrong) in caught.iter_mut().zip([drawn(&mesh, &other, creases_and_mesh()), rest]) {
+            *caught += usize::from(compare(&mesh, &one, &wrong).is_err());
         }
         scenes += 1;
     }
-    eprintln!("told of {scenes}: {told:?}");
-    assert!(told.iter().all(|told| *told * 2 > scenes), "{told:?} of {scenes}");
+    eprintln!("wrong drawings caught in {scenes} scenes: {caught:?}");
+    assert!(caught.iter().all(|caught| *caught * 2 > scenes), "{caught:?} of {scenes}");
 }

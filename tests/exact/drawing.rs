@@ -336,7 +336,7 @@ fn edited(chains: &Chains, mut edit: impl FnMut(Chain<'_>, &mut Chains)) -> Chai
 /// place that is off by more than rounding.
 #[test]
 fn wrong_drawings_are_told_from_exact_ones() {
-    let (mut scenes, mut told) = (0, [0; 6]);
+    let (mut scenes, mut caught) = (0, [0; 6]);
     for seed in 0..60 {
         let mut random = Random::new(seed);
         let mesh = without_flat_faces(&scene(FAMILIES[random.below(FAMILIES.len())], &mut random));
@@ -383,14 +383,15 @@ fn wrong_drawings_are_told_from_exact_ones() {
             points[0] = points[0].lerp(points[1], 1e-8);
             all.push(Chain { points: &points, ..chain });
         });
-        for (told, wrong) in told.iter_mut().zip([drawn(&mesh, &other, also), visible, left_out, repeated, cut, moved])
+        for (caught, wrong) in
+            caught.iter_mut().zip([drawn(&mesh, &other, also), visible, left_out, repeated, cut, moved])
         {
-            *told += usize::from(compare(&mesh, &expected, &wrong).is_err());
+            *caught += usize::from(compare(&mesh, &expected, &wrong).is_err());
         }
         scenes += 1;
     }
-    eprintln!("told of {scenes}: {told:?}");
+    eprintln!("wrong drawings caught in {scenes} scenes: {caught:?}");
     // Some scenes look alike from two sides, hide nothing or hold no chain that could be cut.
-    assert!(told[0] * 2 > scenes && told[1] * 2 > scenes && told[4] * 2 > scenes, "{told:?} of {scenes}");
-    assert!([2, 3, 5].iter().all(|&index| told[index] * 10 > scenes * 9), "{told:?} of {scenes}");
+    assert!(caught[0] * 2 > scenes && caught[1] * 2 > scenes && caught[4] * 2 > scenes, "{caught:?} of {scenes}");
+    assert!([2, 3, 5].iter().all(|&index| caught[index] * 10 > scenes * 9), "{caught:?} of {scenes}");
 }

@@ -311,7 +311,7 @@ fn what_lies_in_line_is_one_ring_of_few_corners() {
 /// other way.
 #[test]
 fn wrong_outlines_are_told_from_exact_ones() {
-    let (mut scenes, mut told) = (0, [0; 4]);
+    let (mut scenes, mut caught) = (0, [0; 4]);
     for seed in 0..12 {
         let mut random = Random::new(seed);
         let mesh = without_flat_faces(&scene(FAMILIES[3 + random.below(2)], &mut random));
@@ -324,11 +324,15 @@ fn wrong_outlines_are_told_from_exact_ones() {
         let (mut cut, mut reversed) = (regions.clone(), regions.clone());
         cut[0][0].pop();
         reversed[0][0].reverse();
-        for (told, wrong) in told.iter_mut().zip([&outline(&mesh, &other), &cut, &regions[1..].to_vec(), &reversed]) {
-            *told += usize::from(compare(&mesh, &one, wrong).is_err());
+        for (caught, wrong) in caught.iter_mut().zip([&outline(&mesh, &other), &cut, &regions[1..].to_vec(), &reversed])
+        {
+            *caught += usize::from(compare(&mesh, &one, wrong).is_err());
         }
         scenes += 1;
     }
-    eprintln!("told of {scenes}: {told:?}");
-    assert!(scenes > 5 && told[0] * 2 > scenes && told[1..].iter().all(|told| *told == scenes), "{told:?} of {scenes}");
+    eprintln!("wrong drawings caught in {scenes} scenes: {caught:?}");
+    assert!(
+        scenes > 5 && caught[0] * 2 > scenes && caught[1..].iter().all(|caught| *caught == scenes),
+        "{caught:?} of {scenes}"
+    );
 }

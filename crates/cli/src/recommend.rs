@@ -92,7 +92,7 @@ struct Document<'a> {
 
 /// Runs the command.
 pub fn run(arguments: &RecommendArguments, registry: &Registry) -> Result<(), Failure> {
-    // A mistake is told before a large mesh is read.
+    // Report a mistake before reading a large mesh.
     request(arguments)?;
     setting(arguments)?;
     let progress = TerminalProgress::new();

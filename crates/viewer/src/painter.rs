@@ -39,10 +39,10 @@ pub struct Frame {
     pub texture: Texture,
 }
 
-/// A texture, told from others by its number.
+/// A texture, with a number that identifies it.
 #[derive(Debug, Clone)]
 pub struct Texture {
-    /// The texture, one sample a pixel, premultiplied by alpha.
+    /// The texture, one sample per pixel, premultiplied by alpha.
     pub view: TextureView,
     /// No other texture of the process has it.
     pub number: u64,

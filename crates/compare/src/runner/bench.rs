@@ -100,7 +100,7 @@ impl<'a> Bench<'a> {
     /// A cell with the times of all passes over its path.
     pub fn finish(&self, begun: BegunCell) -> Outcome {
         let BegunCell { mut cell, pictures, passes, .. } = begun;
-        // That of one pass is there.
+        // The cost of a single pass is in the cell already.
         if passes.len() > 1 {
             cell.frame = frame_cost(&passes, self.scene);
         }

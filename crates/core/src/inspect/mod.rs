@@ -110,7 +110,7 @@ pub fn inspect_with_progress(
 ) -> Result<Inspection, Cancelled> {
     assert_eq!(topology.half_edge_count(), 3 * mesh.face_count(), "the topology belongs to another mesh");
     let sides = Sides { mesh, topology };
-    // One step after another, each told to `progress`.
+    // Each step is reported to `progress`.
     progress.stage("inspecting", 8);
     let done = || {
         progress.advance(1);

@@ -115,7 +115,7 @@ fn an_object_of_no_extent_or_a_hull_of_too_few_vertices_is_refused() {
     assert_eq!(cancelled.unwrap_err(), HullError::Cancelled(Cancelled));
 }
 
-/// Rounded to steps of 1/16, the surfaces of small offsets are knots that take hours to simplify.
+/// Rounded to steps of 1/16, the surfaces of small offsets are knots that were still being simplified after eight minutes.
 #[test]
 fn an_object_among_positions_that_are_too_far_apart_is_refused_unless_they_count_from_close_by() {
     let far = moved(&builtin("torus:24,16"), Vec3::splat(1e6));

@@ -56,7 +56,7 @@ fn is_logarithmic(spec: &OptionSpec, min: f64, max: f64) -> bool {
     }
 }
 
-/// The smallest number above 0 that a slider whose range begins at 0 tells from it.
+/// The smallest number above 0 that a slider whose range begins at 0 distinguishes from 0.
 fn smallest(min: f64, max: f64) -> f64 {
     if min > 0.0 { min } else { max * 1e-6 }
 }

@@ -42,7 +42,7 @@ struct Stop {
 /// any number of threads. About O(n log n) for n paths.
 ///
 /// # Errors
-/// [`Cancelled`] when `progress` asks to stop; it is told of one step a path and stage.
+/// [`Cancelled`] when `progress` asks to stop; one step per path and stage is reported to it.
 pub fn order(paths: &Paths, progress: &dyn Progress) -> Result<(Paths, Travel), Cancelled> {
     let before = paths.pen_up_travel();
     let mut tour = greedy::tour(paths, progress)?;
