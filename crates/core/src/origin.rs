@@ -49,8 +49,13 @@ pub fn common_origin<'a>(meshes: impl IntoIterator<Item = &'a TriangleMesh>) -> 
 /// Half the distance of neighbouring 32-bit numbers at the mesh's largest coordinate: by how much rounding moves a position, at most. 0
 /// without a face.
 pub fn largest_rounding(mesh: &TriangleMesh) -> f64 {
-    const HALF_STEP: f64 = f32::EPSILON as f64 / 2.0;
-    mesh.bounds().map_or(0.0, |bounds| bounds.min.abs().max(bounds.max.abs()).max_element() * HALF_STEP)
+    mesh.bounds().map_or(0.0, |bounds| {
+        // A position's coordinate, of 32 bits.
+        let largest = bounds.min.abs().max(bounds.max.abs()).max_element() as f32;
+        let next = largest.next_up();
+        let step = if next.is_finite() { next - largest } else { largest - largest.next_down() };
+        f64::from(step) / 2.0
+    })
 }
 
 /// A position that counts from `origin`, in the coordinates of the file: the shortest decimal numbers that are this position when they

@@ -193,7 +193,7 @@ impl Atlas {
         let across = f64::from(self.side - 2 * self.gutter - 1);
         let (x, y) = ((x - f64::from(self.gutter)) / across, (y - f64::from(self.gutter)) / across);
         // A texel on the diagonal belongs to the first face.
-        let is_second = x + y > 1.0 + 1e-9;
+        let is_second = x + y > 1.0 + ON_EDGE;
         match block.second {
             Some(second) if is_second => self.unfold(second, [x + y - 1.0, 1.0 - x, 1.0 - y]),
             _ => self.unfold(block.first, [1.0 - x - y, x, y]),
@@ -209,7 +209,7 @@ impl Atlas {
         }
         let corners = &self.corners[face.index()];
         let farthest = (0..3).min_by(|&a, &b| of_slot[a].total_cmp(&of_slot[b])).unwrap_or(0);
-        if of_slot[farthest] >= 0.0 {
+        if of_slot[farthest] >= -ON_EDGE {
             return Place { face, weights: clamped(of_slot) };
         }
         let edge = HalfEdgeId::of(face, (farthest as u32 + 1) % 3);
@@ -233,6 +233,10 @@ impl Atlas {
         Place { face: twin.face(), weights: clamped(turned) }
     }
 }
+
+/// What a weight of 0 may be after rounding: a point that lies on an edge stays on its face. Across the edge, a neighbour without area
+/// has a height that is rounding as well, and would move the point anywhere.
+const ON_EDGE: f64 = 1e-9;
 
 /// Negative weights become 0, and the sum 1.
 fn clamped(weights: [f64; 3]) -> Vec3 {

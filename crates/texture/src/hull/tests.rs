@@ -120,7 +120,7 @@ fn an_object_of_no_extent_or_a_hull_of_too_few_vertices_is_refused() {
 fn an_object_among_positions_that_are_too_far_apart_is_refused_unless_they_count_from_close_by() {
     let far = moved(&builtin("torus:24,16"), Vec3::splat(1e6));
     let refused = enclosing(&far, 24).unwrap_err();
-    assert!(matches!(refused, HullError::TooFar { step, .. } if (step / 0.06).ln().abs() < 0.1), "{refused}");
+    assert!(matches!(refused, HullError::TooFar { step, .. } if (step * 16.0 - 1.0).abs() < 1e-6), "{refused}");
     let near = far.relative_to(DVec3::splat(1e6)).unwrap();
     assert!(enclosing(&near, 100).is_ok());
 }
