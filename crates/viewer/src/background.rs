@@ -1,6 +1,6 @@
 //! Work beside the window: a [`Job`] is one piece of it, a [`Worker`] does the latest that was asked of it.
 //!
-//! Both tell how far they are, can be cancelled, and wake the window when there is something to see. What is dropped is cancelled, and
+//! Both report their progress, can be cancelled, and wake the window when there is something to see. What is dropped is cancelled, and
 //! its result with it: nothing that is stale arrives.
 
 use silhouette_core::Progress;
