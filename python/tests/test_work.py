@@ -52,8 +52,11 @@ def test_other_threads_run_meanwhile() -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_ctrl_c_raises_and_leaves_a_working_interpreter() -> None:
+    # A shell that starts this in the background has SIGINT ignored, which Python then leaves so.
     code = f"""
+import signal
 import silhouettes
+signal.signal(signal.SIGINT, signal.default_int_handler)
 print("begun", flush=True)
 try:
     {LONG}
