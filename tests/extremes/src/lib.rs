@@ -10,6 +10,7 @@
 //! | [`matrix`] | every row times every method; a panic stays in its cell |
 //! | [`growth`] | how errors grow, beside naive 32-bit arithmetic, as charts |
 //! | [`page`] | `docs/STABILITY.md` |
+//! | [`show`] | the pictures behind the table, as files |
 //!
 //! `cargo run -p silhouette-extremes` writes the page anew; the tests of this package fail where an outcome is not the expected one
 //! or the page says something else.
@@ -27,4 +28,5 @@ pub mod page;
 pub mod pictures;
 pub mod row;
 pub mod scene;
+pub mod show;
 pub mod truth;

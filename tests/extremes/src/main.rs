@@ -4,10 +4,10 @@
 
 use clap::Parser;
 use silhouette_docs::region;
-use silhouette_extremes::{families, growth, matrix, page};
+use silhouette_extremes::{families, growth, matrix, page, show};
 use silhouette_render::{AdapterChoice, Gpu};
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Write the tables of docs/STABILITY.md anew, from what every method does at every extreme. Some minutes.
@@ -19,6 +19,9 @@ struct Arguments {
     /// Draw the charts of growing errors, too
     #[arg(long, conflicts_with = "check")]
     charts: bool,
+    /// Write what every method draws, and the truth beside it, as PNG files into this folder; no table is written
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["check", "charts"])]
+    pictures: Option<PathBuf>,
     /// Look at the families alone whose title contains this
     #[arg(long, value_name = "WORD", default_value = "")]
     family: String,
@@ -48,6 +51,10 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error + Send + Sync>> 
     let mut is_as_expected = true;
     for family in families::ALL.iter().filter(|family| family.title.contains(&arguments.family)) {
         let rows = (family.rows)();
+        if let Some(folder) = &arguments.pictures {
+            show::write_pictures(&gpu, &rows, folder)?.iter().for_each(|refusal| println!("{refusal}"));
+            continue;
+        }
         let cells = matrix::run(&gpu, &rows);
         let surprises = matrix::surprises(&rows, &cells);
         surprises.iter().for_each(|surprise| println!("{surprise}"));

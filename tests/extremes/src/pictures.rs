@@ -89,6 +89,14 @@ fn drawn(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>, fills: bool) -> Result<(Im
     Ok((image, placement))
 }
 
+/// What a method draws.
+///
+/// # Errors
+/// A refusal or a fault.
+pub fn picture(gpu: &Gpu, entry: &Entry, truth: &Truth<'_>, fills: bool) -> Result<Image, Found> {
+    Ok(drawn(gpu, entry, truth, fills)?.0)
+}
+
 /// What a picture of lines scores.
 ///
 /// # Errors

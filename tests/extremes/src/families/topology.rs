@@ -28,10 +28,9 @@ const ANY_SIDE: &str = "it draws what is seen of either side, and the truth is t
 const NO_BORDER: &str = "interpolated contours have no boundary lines";
 const OPEN_HULL: &str = "the texture shows a sheet from both sides, and its rim where the texture's samples put it";
 const NONE: &str = "the mesh is seen from its inner side alone: no face is front, and there is no line";
-const FEW_FACES: &str = "the rims of a few large faces are rounded or left out, and the truth has them as they are";
 const BLUNT: &str = "a hull closes around a mesh that is open or thin";
-const NEIGHBOURS: &str = "edges at which sides disagree are drawn as the faces beside them are seen, and part of that is behind the other \
-                          sheet or within a pixel of it";
+const WINDING: &str = "along an edge at which faces are wound against each other one is front and one back, wherever the eye is, so that it is a \
+                       silhouette edge and drawn; the truth goes by the surface, and has no line there";
 
 /// What is expected of meshes with edges that cannot be tracked across.
 fn without_tracking(row: Row) -> Row {
@@ -54,14 +53,14 @@ pub fn rows() -> Vec<Row> {
             "a book of three pages, of which all run the same way along its back",
             || Scene::of(book(3)),
         ))
-        .expect_of(Lines, &["edge-mesh"], Differs, NEIGHBOURS)
+        .expect_of(Lines, &["edge-mesh"], Differs, WINDING)
         .expect_of(
             Lines,
             &["image-precision", "inverted-hull", "gbuffer-filter", "jump-flood", "texture-lines"],
             Differs,
             ANY_SIDE,
         )
-        .expect_of(Curves, &["smoothing", "boundary-curve"], Differs, FEW_FACES)
+        .expect_of(Curves, &["smoothing", "boundary-curve"], Differs, WINDING)
         .expect_of(Curves, &["interpolated-contours"], Empty, NO_BORDER)
         .expect_of(Fill, &["normal-map-hull"], Differs, BLUNT)
         .expect_all_of_randomized(),
@@ -81,14 +80,14 @@ pub fn rows() -> Vec<Row> {
         without_tracking(Row::new("Moebius strip", "a strip that no winding makes consistent", || {
             Scene::of(builtin("moebius:24,2"))
         }))
-        .expect_of(Lines, &["brute-force", "edge-mesh"], Differs, NEIGHBOURS)
+        .expect_of(Lines, &["brute-force", "edge-mesh"], Differs, WINDING)
         .expect_of(
             Lines,
             &["image-precision", "inverted-hull", "gbuffer-filter", "jump-flood", "texture-lines"],
             Differs,
             ANY_SIDE,
         )
-        .expect_of(Curves, &["smoothing", "boundary-curve"], Differs, FEW_FACES)
+        .expect_of(Curves, &["smoothing", "boundary-curve"], Differs, WINDING)
         .expect_of(Curves, &["interpolated-contours"], Differs, NO_BORDER)
         .expect_of(Fill, &["normal-map-hull"], Differs, BLUNT),
         Row::new("inverted part", "two tori, one of them inside out", || {
