@@ -200,7 +200,7 @@ mod tests {
     use super::*;
     use silhouette_core::glam::{DVec3, Vec3};
     use silhouette_core::view::Framing;
-    use silhouette_core::{NoProgress, shapes};
+    use silhouette_core::{NoProgress, TriangleMesh, shapes};
     use silhouette_gpu::PenPlacement;
 
     fn truth(shape: &str, direction: DVec3, size: u32) -> (Arc<PreparedMesh>, Truth) {
@@ -209,6 +209,33 @@ mod tests {
         let camera = Camera::framing(&bounds, direction, Vec3::Y, Framing::Orthographic, [size; 2]).unwrap();
         let truth = TruthFinder::new(&mesh, &NoProgress).unwrap().find(&camera, &NoProgress).unwrap();
         (mesh, truth)
+    }
+
+    /// Of the sides of a face without area the drawing takes one and facing another.
+    #[test]
+    fn faces_without_area_take_no_line_from_the_truth() {
+        let lattice = |p: &Vec3| (*p * 256.0).round() / 256.0;
+        let torus = shapes::by_name("torus:24,16").unwrap();
+        let positions: Vec<Vec3> = torus.positions().iter().map(lattice).collect();
+        let (mut split, mut triangles) = (positions.clone(), Vec::new());
+        for &[a, b, c] in torus.triangles() {
+            let new = split.len() as u32;
+            split.push(positions[a as usize].midpoint(positions[b as usize]));
+            triangles.extend([[a, b, new], [b, c, new], [c, a, new]]);
+        }
+        let plain = TriangleMesh::new(positions, torus.triangles().to_vec()).unwrap();
+        let flat = TriangleMesh::new(split, triangles).unwrap();
+        let [plain, flat] = [plain, flat].map(|mesh| Arc::new(PreparedMesh::new(mesh)));
+        let bounds = plain.mesh().bounds().unwrap();
+        for direction in [DVec3::new(0.45, 0.3, 0.84), DVec3::new(-0.3, -0.35, 0.6), DVec3::Z, DVec3::Y] {
+            let camera = Camera::framing(&bounds, direction, Vec3::X, Framing::Orthographic, [200; 2]).unwrap();
+            let [expected, found] = [&plain, &flat].map(|mesh| {
+                let truth = TruthFinder::new(mesh, &NoProgress).unwrap().find(&camera, &NoProgress).unwrap();
+                assert!(truth.visible.iter().flat_map(|line| &line.edges).all(|&edge| truth.edges.contains(edge)));
+                truth.lines.total_length_px()
+            });
+            assert!((found - expected).abs() < 1e-6, "from {direction}: {found} of {expected} px");
+        }
     }
 
     #[test]

@@ -1,9 +1,11 @@
 //! The visible chains of a view as lines with the front face on their left.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
+use silhouette_core::inspect::has_zero_area;
 use silhouette_core::loops::start_vertex;
-use silhouette_core::{EdgeId, FaceFacings, SilhouetteEdges, Topology, TriangleMesh};
+use silhouette_core::{EdgeId, FaceFacings, HalfEdgeId, SilhouetteEdges, Topology, TriangleMesh};
 use silhouette_visibility::{Chain, Chains, SegmentSource};
+use std::collections::HashSet;
 
 /// A visible line without interruption, a front face on its left.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,15 +40,51 @@ pub struct Silhouette<'a> {
 }
 
 impl Silhouette<'_> {
-    /// From where to where a silhouette edge runs in space with a front face on its left; `None` for any other edge. At a
-    /// non-manifold edge the first of several front faces decides.
+    /// The silhouette edge at a place of an edge: this edge, or one beyond faces without area that lies on it there. Such a face has
+    /// two of its sides on the third: it makes no difference in the picture which of them is drawn, and by facing the other one may
+    /// be the silhouette edge. O(1), or O(faces without area that are joined to the edge).
+    fn at(&self, edge: EdgeId, place: DVec3) -> Option<EdgeId> {
+        if self.edges.contains(edge) {
+            return Some(edge);
+        }
+        let line = self.ends(edge);
+        let is_on_line = |point: Vec3| has_zero_area([line[0], line[1], point]);
+        let mut met = vec![edge];
+        let mut seen = HashSet::from([edge]);
+        while let Some(edge) = met.pop() {
+            let ends = self.ends(edge);
+            if self.edges.contains(edge) && ends.into_iter().all(is_on_line) && is_between(place, ends) {
+                return Some(edge);
+            }
+            let flat = |half_edge: &&HalfEdgeId| has_zero_area(self.mesh.corners(half_edge.face()));
+            for half_edge in self.topology.half_edges(edge).iter().filter(flat) {
+                let next = half_edge.next_in_face();
+                let others = [next, next.next_in_face()].map(|half_edge| self.topology.edge_of(half_edge));
+                met.extend(others.into_iter().filter(|&other| seen.insert(other)));
+            }
+        }
+        None
+    }
+
+    /// From where to where a silhouette edge runs in space with a front face on its left. At a non-manifold edge the first of several
+    /// front faces decides.
     fn direction(&self, edge: EdgeId) -> Option<DVec3> {
         let half_edges = self.topology.half_edges(edge);
         let half_edge = half_edges.iter().find(|half_edge| self.facings.is_front(half_edge.face()))?;
         let [from, to] = [*half_edge, half_edge.next_in_face()]
             .map(|half_edge| self.mesh.positions()[start_vertex(self.mesh, half_edge).index()].as_dvec3());
-        self.edges.contains(edge).then_some(to - from)
+        Some(to - from)
     }
+
+    fn ends(&self, edge: EdgeId) -> [Vec3; 2] {
+        self.topology.end_points(edge).map(|vertex| self.mesh.positions()[vertex.index()])
+    }
+}
+
+/// Whether a point on the line through two others is between them.
+fn is_between(point: DVec3, ends: [Vec3; 2]) -> bool {
+    let [from, to] = ends.map(Vec3::as_dvec3);
+    (0.0..=from.distance_squared(to)).contains(&(point - from).dot(to - from))
 }
 
 /// How a segment of a chain runs along a silhouette edge.
@@ -80,8 +118,9 @@ pub fn visible_lines(chains: &Chains, max_invisibility: u32, silhouette: &Silhou
 
 fn placed(chain: &Chain<'_>, segment: usize, silhouette: &Silhouette<'_>) -> Placed {
     let SegmentSource::Edge(edge) = chain.sources[segment] else { return None };
-    let direction = silhouette.direction(edge)?;
     let [from, to] = [segment, (segment + 1) % chain.points.len()].map(|at| chain.points[at]);
+    let edge = silhouette.at(edge, from.midpoint(to))?;
+    let direction = silhouette.direction(edge)?;
     Some((edge, if (to - from).dot(direction) < 0.0 { Way::Backward } else { Way::Forward }))
 }
 
