@@ -96,6 +96,12 @@ impl PictureFrame {
         Homogeneous { scaled_pixel: DVec2::new(x, y), w, depth }
     }
 
+    /// The pixel of a point of [`clip_drawn`](Self::clip_drawn)'s part of an edge, without margin. Near to the eye rounding may move it
+    /// by a tenth of a pixel, but not out of the picture.
+    pub fn drawn_pixel(&self, world: DVec3) -> DVec2 {
+        self.map(world).pixel().clamp(DVec2::ZERO, self.size)
+    }
+
     /// How fast the picture of a moving point moves, in pixels.
     pub fn pixel_velocity(&self, world: DVec3, velocity: DVec3) -> DVec2 {
         let place = self.map(world);

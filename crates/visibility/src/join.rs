@@ -60,16 +60,22 @@ fn place(scene: &LineScene, strokes: &Strokes, piece: &Piece, frame: &PictureFra
     let style = ChainStyle { kind: stroke.kind, invisibility: piece.invisibility, object: stroke.object };
     let part = strokes.curve_part(piece.stroke as usize);
     let curve = part.map(|part| (&scene.curves()[part.piece as usize], piece.range.map(|t| part.parameter(t))));
-    let points = match curve {
-        Some((curve, range)) => range.map(|at| curves::point(curve.control, at)),
-        None => piece.range.map(|t| stroke.at(t)),
+    let (points, pixels) = match curve {
+        Some((curve, range)) => {
+            let points = range.map(|at| curves::point(curve.control, at));
+            (points, points.map(|point| frame.map(point).pixel()))
+        }
+        None => {
+            let points = piece.range.map(|t| stroke.at(t));
+            (points, points.map(|point| frame.drawn_pixel(point)))
+        }
     };
     let reaches = [piece.range[0] <= 0.0, piece.range[1] >= 1.0];
     Placed {
         style,
         source: stroke.source,
         points,
-        pixels: points.map(|point| frame.map(point).pixel()),
+        pixels,
         handles: curve.map(|(curve, range)| curves::handles(curve, range, frame)),
         vertices: [0, 1].map(|end| if reaches[end] { stroke.vertices[end] } else { NO_VERTEX }),
     }
