@@ -11,6 +11,7 @@ mod edges;
 mod errors;
 mod lines;
 mod mesh;
+mod mesh_memory;
 mod method;
 mod picture;
 mod program;

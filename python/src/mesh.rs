@@ -1,7 +1,8 @@
 //! `Mesh`: vertices and faces, with what is derived from them when it is first asked for.
 
-use crate::arrays::{Coordinates, array_of_rows, coordinates, triangles};
+use crate::arrays::{Coordinates, coordinates, triangles};
 use crate::errors::bad_input;
+use crate::mesh_memory;
 use crate::progress;
 use crate::records::to_python;
 use numpy::{PyArray1, PyArray2};
@@ -18,12 +19,15 @@ use std::sync::Arc;
 /// Mesh(vertices, faces, name="mesh")
 ///
 /// vertices: (V, 3) array of coordinates in any unit. float32 is taken as it is, everything else read as float64 and rounded once; a mesh
-///     far from zero then counts from its `origin`. C-contiguous arrays are copied once, others twice.
+///     far from zero then counts from its `origin`.
 /// faces: (F, 3) array of vertex indices from 0, counter-clockwise seen from outside. uint32 is copied as it is, other integers are
 ///     converted.
 /// name: what errors and results call it.
 ///
-/// The mesh does not change: what is derived from it (topology, search trees) is built when it is first needed, and kept.
+/// The mesh holds one copy of both, 12 bytes for each vertex and each face, and its `vertices` and `faces` are that copy: let go of
+/// arrays of your own to hold only one. Making it takes no further memory where they are C-contiguous, vertices of float32 or float64
+/// and faces of uint32, int32 or int64. A file that is loaded has no other copy.
+/// It does not change: what is derived from it (topology, search trees) is built when it is first needed, and kept.
 #[pyclass(frozen, module = "silhouettes")]
 pub struct Mesh {
     named: NamedMesh,
@@ -59,10 +63,13 @@ impl Mesh {
     #[pyo3(signature = (vertices, faces, name = "mesh".to_owned()))]
     fn new(py: Python<'_>, vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAny>, name: String) -> PyResult<Self> {
         let (coordinates, triangles) = (coordinates(vertices)?, triangles(faces)?);
-        let mesh = py.detach(|| match coordinates {
-            Coordinates::Narrow(positions) => TriangleMesh::new(positions, triangles),
-            Coordinates::Wide(coordinates) => TriangleMesh::from_wide(&coordinates, triangles),
-        });
+        let mesh = match coordinates {
+            Coordinates::Narrow(positions) => py.detach(|| TriangleMesh::new(positions, triangles)),
+            // Read where they lie, so that no other thread of Python may run meanwhile: some milliseconds for a million.
+            Coordinates::Wide(coordinates) => {
+                TriangleMesh::from_wide(bytemuck::cast_slice(coordinates.as_slice()?), triangles)
+            }
+        };
         let mesh = mesh.map_err(|error| bad_input(format_args!("{name}: {error}")))?;
         Ok(NamedMesh { name, mesh: Arc::new(PreparedMesh::new(mesh)) }.into())
     }
@@ -73,16 +80,17 @@ impl Mesh {
         &self.named.name
     }
 
-    /// (V, 3) float32: a copy of the positions, which count from `origin`.
+    /// (V, 3) float32, read-only: the positions, which count from `origin`. Not a copy but the mesh's own memory, which lives as long
+    /// as the array does.
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
-        array_of_rows::<f32, _, 3>(py, self.triangle_mesh().positions().to_vec())
+        mesh_memory::positions(py, self.triangle_mesh())
     }
 
-    /// (F, 3) uint32: a copy of the vertex indices of each face.
+    /// (F, 3) uint32, read-only: the vertex indices of each face. Not a copy either.
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        array_of_rows::<u32, _, 3>(py, self.triangle_mesh().triangles().to_vec())
+        mesh_memory::triangles(py, self.triangle_mesh())
     }
 
     /// (3,) float64: the point from which positions count. Zero unless the mesh lies far from there.

@@ -1,5 +1,6 @@
 """Arrays in: what is taken, what is refused and how."""
 
+import gc
 from typing import Any
 
 import numpy as np
@@ -25,9 +26,29 @@ def test_a_mesh_does_not_change_with_the_arrays_that_it_was_made_of() -> None:
     mesh = silhouettes.Mesh(vertices, faces)
     vertices[:] = 7
     faces[:] = 0
-    mesh.vertices[:] = 8
     np.testing.assert_array_equal(mesh.vertices, np.array(TRIANGLE, np.float32))
     np.testing.assert_array_equal(mesh.faces, [[0, 1, 2]])
+
+
+def test_arrays_of_a_mesh_are_its_memory_and_outlive_it() -> None:
+    mesh = silhouettes.load("builtin:knot")
+    vertices, faces = mesh.vertices, mesh.faces
+    assert np.shares_memory(vertices, mesh.vertices) and np.shares_memory(faces, mesh.faces)
+    assert not np.shares_memory(vertices, vertices.copy())
+    # What an array shows may not change under a method that runs meanwhile.
+    for array in (vertices, faces):
+        with pytest.raises(ValueError, match="read-only"):
+            array[:] = 8
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            array.setflags(write=True)
+    before = vertices.copy(), faces.copy()
+    del mesh
+    gc.collect()
+    # Takes the memory if it were free again.
+    other = [silhouettes.load("builtin:torus") for _ in range(20)]
+    np.testing.assert_array_equal(vertices, before[0])
+    np.testing.assert_array_equal(faces, before[1])
+    assert len(other) == 20
 
 
 def test_vertices_far_from_zero_count_from_close_by() -> None:
