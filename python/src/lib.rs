@@ -35,7 +35,7 @@ mod module {
     #[pymodule_export]
     use crate::errors::Error;
     #[pymodule_export]
-    use crate::lines::{LineFinder, outline, visible_lines};
+    use crate::lines::{LineFinder, outline, visible_lines, write_lines};
     #[pymodule_export]
     use crate::mesh::{Mesh, load};
     #[pymodule_export]

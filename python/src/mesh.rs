@@ -3,16 +3,20 @@
 use crate::arrays::{Coordinates, coordinates, triangles};
 use crate::errors::bad_input;
 use crate::mesh_memory;
+use crate::method;
 use crate::progress;
 use crate::records::to_python;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::inspect::inspect;
-use silhouette_core::{PreparedMesh, Topology, TriangleMesh};
+use silhouette_core::load::{LabelledMesh, Parts};
+use silhouette_core::mesh::Bounds;
+use silhouette_core::{PreparedMesh, Topology, TriangleMesh, VertexId};
 use silhouettes::application::{self, Failure, MeshArgument};
+use silhouettes::calls;
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A triangle mesh.
 ///
@@ -32,6 +36,12 @@ use std::sync::Arc;
 pub struct Mesh {
     named: NamedMesh,
     notes: Vec<String>,
+    /// For each face which others are of the same material and group, where the file says.
+    labels: Option<Vec<u32>>,
+    /// What the file calls its parts.
+    parts: Option<Parts>,
+    /// Asked for by every camera that looks at the mesh.
+    bounds: OnceLock<Option<Bounds>>,
 }
 
 impl Mesh {
@@ -45,6 +55,37 @@ impl Mesh {
         &self.named.mesh
     }
 
+    /// What its faces span; `None` where there is none. O(F) when first asked for.
+    pub fn bounds(&self) -> Option<Bounds> {
+        *self.bounds.get_or_init(|| self.triangle_mesh().bounds())
+    }
+
+    fn of_labelled(name: String, mut mesh: LabelledMesh, notes: Vec<String>) -> Self {
+        let (labels, parts) = (mesh.labels.take(), mesh.parts.take());
+        Self { named: calls::prepared(name, mesh), notes, labels, parts, bounds: OnceLock::new() }
+    }
+
+    /// A copy of the mesh as its file's reader yields it, but for what it noted.
+    pub fn labelled(&self) -> LabelledMesh {
+        let feature_edges = self.prepared().feature_edges().iter().map(|edge| edge.map(VertexId::get)).collect();
+        LabelledMesh {
+            mesh: self.triangle_mesh().as_ref().clone(),
+            labels: self.labels.clone(),
+            parts: self.parts.clone(),
+            feature_edges,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Another mesh, which words of the command `lines` make of this one.
+    fn changed(&self, py: Python<'_>, words: &[String], progress: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        progress::run(py, progress, |progress| {
+            let change = || calls::changed_mesh(words, self.name(), self.labelled(), method::registry(), progress);
+            let (mesh, notes) = calls::with_notes(change);
+            Ok(Self::of_labelled(self.name().to_owned(), mesh?, notes))
+        })
+    }
+
     /// The mesh itself.
     pub fn triangle_mesh(&self) -> &Arc<TriangleMesh> {
         self.named.mesh.mesh()
@@ -53,7 +94,7 @@ impl Mesh {
 
 impl From<NamedMesh> for Mesh {
     fn from(named: NamedMesh) -> Self {
-        Self { named, notes: Vec::new() }
+        Self { named, notes: Vec::new(), labels: None, parts: None, bounds: OnceLock::new() }
     }
 }
 
@@ -99,7 +140,7 @@ impl Mesh {
         PyArray1::from_slice(py, &self.triangle_mesh().origin().to_array())
     }
 
-    /// What its file's reader has to say, one sentence each.
+    /// What its file's reader, or the method that made it, has to say, one sentence each.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.notes.clone()
@@ -115,6 +156,63 @@ impl Mesh {
             Ok(inspect(self.triangle_mesh(), &topology))
         })?;
         to_python(py, &inspection)
+    }
+
+    /// Names of its parts, in the order of the file: objects and groups of an OBJ file, nodes of a glTF file.
+    #[getter]
+    fn parts(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        for name in self.parts.iter().flat_map(Parts::as_slice).flat_map(|part| part.names.iter()) {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+        names
+    }
+
+    /// Some of its parts as a Mesh: those named by `only`, or all, but for those named by `without`.
+    ///
+    /// Vertices keep their numbers. An object or a node stands for all that belongs to it.
+    #[pyo3(signature = (*, only = Vec::new(), without = Vec::new()))]
+    fn select(&self, py: Python<'_>, only: Vec<String>, without: Vec<String>) -> PyResult<Self> {
+        let words = only.iter().map(|name| format!("--only={name}"));
+        let words: Vec<_> = words.chain(without.iter().map(|name| format!("--without={name}"))).collect();
+        self.changed(py, &words, None)
+    }
+
+    /// A Mesh in which vertices no farther apart than `distance`, in units of the mesh, are one: seams are no boundaries then.
+    #[pyo3(signature = (distance = 0.0, *, progress = None))]
+    fn weld(&self, py: Python<'_>, distance: f64, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        self.changed(py, &[format!("--weld={distance:?}")], progress)
+    }
+
+    /// A Mesh whose edges are divided at vertices that lie on them, no farther than `distance` in units of the mesh: T-junctions are no
+    /// boundaries then. Joins vertices as weld does. Without a distance it is a millionth of the mesh's largest extent.
+    #[pyo3(signature = (distance = None, *, progress = None))]
+    fn heal(&self, py: Python<'_>, distance: Option<f64>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let word = distance.map_or("--heal".to_owned(), |distance| format!("--heal={distance:?}"));
+        self.changed(py, &[word], progress)
+    }
+
+    /// A Mesh whose parts that were wound inside out are turned, so that faces point outwards: exact for closed parts, a guess for open
+    /// ones. Its `notes` say how many faces were turned.
+    #[pyo3(signature = (*, progress = None))]
+    fn orient(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        self.changed(py, &["--orient".to_owned()], progress)
+    }
+
+    /// The Mesh cut open by the plane through `point`: what lies on the side to which `normal` points is taken away. Both are three
+    /// numbers, in the coordinates of the mesh's file. To draw the curves of the cut give visible_lines or write_lines a section.
+    #[pyo3(signature = (point, normal, *, progress = None))]
+    fn cut(
+        &self,
+        py: Python<'_>,
+        point: [f64; 3],
+        normal: [f64; 3],
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let numbers: Vec<_> = point.iter().chain(&normal).map(|number| format!("{number:?}")).collect();
+        self.changed(py, &[format!("--section={}", numbers.join(","))], progress)
     }
 
     fn __repr__(&self) -> String {
@@ -140,7 +238,8 @@ pub fn load(py: Python<'_>, path: PathBuf, progress: Option<&Bound<'_, PyAny>>) 
         if argument == MeshArgument::StandardInput {
             return Err(Failure::Input("-: standard input is for the command line; name a file".into()));
         }
-        let (named, notes) = application::load(&argument, progress)?;
-        Ok(Mesh { named, notes: notes.iter().map(ToString::to_string).collect() })
+        let (name, mesh) = application::load_labelled(&argument, progress)?;
+        let notes = mesh.notes.iter().map(ToString::to_string).collect();
+        Ok(Mesh::of_labelled(name, mesh, notes))
     })
 }

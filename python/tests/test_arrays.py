@@ -142,6 +142,19 @@ def test_files_that_are_none_are_refused_in_the_command_lines_words(tmp_path: An
         silhouettes.Texture.load(tmp_path / "missing.siltex")
 
 
+def test_files_are_named_not_given(tmp_path: Any) -> None:
+    path = tmp_path / "cube.off"
+    path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    file: Any
+    with path.open() as file:
+        with pytest.raises(TypeError, match="PathLike"):
+            silhouettes.load(file)
+    for load in (silhouettes.load, silhouettes.Texture.load):
+        with pytest.raises(TypeError, match="PathLike"):
+            load(file)
+    assert len(silhouettes.load(path).faces) == 1
+
+
 def test_unknown_methods_and_options_are_refused_with_the_known_ones() -> None:
     mesh = silhouettes.load("builtin:cube")
     with pytest.raises(silhouettes.Error, match="no method 'brute-farce'; there are brute-force"):
