@@ -121,7 +121,7 @@ def lines_by_pyvista(eye: Any) -> int:
 
 
 def compared(title: str, ways: dict[str, Callable[[Any], Any]]) -> None:
-    """Prints the median milliseconds of each way, and the ratio to the first way's Rust call."""
+    """Prints the median milliseconds of each way: alone, over those of its Rust call if it has one, and over those of the first way."""
     times: dict[str, list[float]] = {}
     counts: dict[str, list[int]] = {}
     for number, eye in enumerate(eyes):
@@ -139,19 +139,17 @@ def compared(title: str, ways: dict[str, Callable[[Any], Any]]) -> None:
             elif not isinstance(found, int):
                 found = len(found) if isinstance(found, np.ndarray) else found.n_lines
             counts.setdefault(name, []).append(found)
-    print(f"\n{title}\n{'':44}{'ms':>10}{'to Rust':>10}{'edges':>8}")
-    rust = np.median(times[f"{next(iter(ways))}, Rust"])
+    print(f"\n{title}\n{'':44}{'ms':>12}{'to Rust':>10}{'to first':>10}{'edges':>8}")
+    first = np.median(times[next(iter(ways))])
     for name in ways:
-        own = times.get(f"{name}, Rust")
-        # A method of this package is compared with its own call in Rust, another way with the first's.
-        base = np.median(own) if own else rust
-        median = np.median(times[name])
-        print(f"{name:44}{median:10.3f}{median / base:10.2f}{np.median(counts[name]):8.0f}")
+        median, own = np.median(times[name]), times.get(f"{name}, Rust")
+        to_rust = f"{median / np.median(own):10.2f}" if own else " " * 10
+        print(f"{name:44}{median:12.3f}{to_rust}{median / first:10.2f}{np.median(counts[name]):8.0f}")
 
 
 print(f"{mesh.name}: {len(faces)} faces, {arguments.views} views; {describe_machine()}")
 print(f"silhouettes, numpy {np.__version__}, trimesh {trimesh.__version__}, PyVista {pyvista.__version__}")
-extractors = ("brute-force", "brute-force-simd", "cluster-cones", "tracking-exact")
+extractors = ("brute-force-simd", "cluster-cones", "tracking-exact", "brute-force")
 edge_ways: dict[str, Callable[[Any], Any]] = {f"silhouettes {name}": edges_by(name) for name in extractors}
 edge_ways |= {"trimesh, face_adjacency": edges_by_trimesh, "PyVista, vtkPolyDataSilhouette": edges_by_pyvista}
 compared("Silhouette edges", edge_ways)
