@@ -32,6 +32,7 @@ from ._silhouettes import (
     reproduce,
     smooth,
     visible_lines,
+    write_lines,
 )
 from .cameras import camera, from_matrices, look_at
 
@@ -58,4 +59,5 @@ __all__ = [
     "reproduce",
     "smooth",
     "visible_lines",
+    "write_lines",
 ]

@@ -1,18 +1,19 @@
 //! Arrays of Python and vectors of Rust.
 
 use crate::errors::bad_input;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use numpy::{Element, PyUntypedArrayMethods};
 use numpy::{PyArray1, PyArray2, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray2, PyUntypedArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::fmt::Display;
 
 /// Coordinates as they were given: of 32 bits, which are positions, or of 64.
-pub enum Coordinates {
-    /// float32.
+pub enum Coordinates<'py> {
+    /// float32, copied.
     Narrow(Vec<Vec3>),
-    /// float64.
-    Wide(Vec<DVec3>),
+    /// float64, where they lie.
+    Wide(PyReadonlyArray2<'py, f64>),
 }
 
 /// An array of `n` rows of three, from anything that numpy makes one of.
@@ -48,17 +49,14 @@ fn kind(array: &Bound<'_, PyUntypedArray>) -> (char, usize) {
 }
 
 /// Coordinates of vertices. float32 stays as it is, every other type of real number is read as float64.
-pub fn coordinates(given: &Bound<'_, PyAny>) -> PyResult<Coordinates> {
+pub fn coordinates<'py>(given: &Bound<'py, PyAny>) -> PyResult<Coordinates<'py>> {
     let array = rows_of_three("vertices", given)?;
     match kind(&array) {
         ('f', 4) => {
             let array = typed::<f32>(&array)?;
             Ok(Coordinates::Narrow(bytemuck::cast_slice(array.as_slice()?).to_vec()))
         }
-        ('f' | 'i' | 'u', _) => {
-            let array = typed::<f64>(&array)?;
-            Ok(Coordinates::Wide(bytemuck::cast_slice(array.as_slice()?).to_vec()))
-        }
+        ('f' | 'i' | 'u', _) => Ok(Coordinates::Wide(typed::<f64>(&array)?)),
         _ => Err(bad_input(format_args!("vertices: an array of {}; give float32 or float64", array.dtype()))),
     }
 }
@@ -68,24 +66,26 @@ pub fn triangles(given: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
     let array = rows_of_three("faces", given)?;
     match kind(&array) {
         ('u', 4) => Ok(bytemuck::cast_slice(typed::<u32>(&array)?.as_slice()?).to_vec()),
-        ('i' | 'u', bytes) if bytes < 8 || kind(&array).0 == 'i' => {
-            let array = typed::<i64>(&array)?;
-            let indices = array.as_slice()?;
-            let mut corners = Vec::with_capacity(indices.len());
-            for (place, &index) in indices.iter().enumerate() {
-                corners.push(u32::try_from(index).map_err(|_| {
-                    let face = place / 3;
-                    bad_input(format_args!("faces: face {face} names vertex {index}; indices run from 0"))
-                })?);
-            }
-            Ok(bytemuck::allocation::try_cast_vec(corners).unwrap_or_else(|(_, corners)| {
-                corners.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]).collect()
-            }))
-        }
+        ('i', 4) => corners(typed::<i32>(&array)?.as_slice()?),
+        ('i', _) | ('u', 1 | 2) => corners(typed::<i64>(&array)?.as_slice()?),
         // An empty list has no type of its own.
         _ if array.shape()[0] == 0 => Ok(Vec::new()),
         _ => Err(bad_input(format_args!("faces: an array of {}; give uint32 or int64", array.dtype()))),
     }
+}
+
+/// Three indices for each face, of numbers with a sign.
+fn corners<T: Copy + TryInto<u32> + Display>(indices: &[T]) -> PyResult<Vec<[u32; 3]>> {
+    let corner = |face: usize, index: T| {
+        let refused = |_| bad_input(format_args!("faces: face {face} names vertex {index}; indices run from 0"));
+        index.try_into().map_err(refused)
+    };
+    // Of this size from the beginning: collected, it would grow to up to twice of it.
+    let mut faces = Vec::with_capacity(indices.len() / 3);
+    for (face, ids) in indices.chunks_exact(3).enumerate() {
+        faces.push([corner(face, ids[0])?, corner(face, ids[1])?, corner(face, ids[2])?]);
+    }
+    Ok(faces)
 }
 
 /// Rows of `N` as an array of shape (rows, N), which takes the vector's memory over.

@@ -20,6 +20,7 @@ use silhouettes::application::{CameraArguments, Failure};
 ///
 /// A camera stands for itself: what it leaves open is decided for each mesh that it sees.
 #[pyclass(frozen, module = "silhouettes")]
+#[derive(Clone)]
 pub struct Camera {
     arguments: CameraArguments,
     words: Vec<String>,
@@ -29,6 +30,11 @@ impl Camera {
     fn of_words(words: Vec<String>) -> PyResult<Self> {
         let arguments = CameraArguments::of_words(words.iter().map(String::as_str));
         Ok(Self { arguments: arguments.map_err(|failure| exception(&failure))?, words })
+    }
+
+    /// The words by which the command line makes this camera.
+    pub fn words(&self) -> &[String] {
+        &self.words
     }
 
     /// The camera for a mesh, whose faces are there.
@@ -47,8 +53,7 @@ impl Camera {
 }
 
 fn bounds(mesh: &Mesh) -> Result<Bounds, Failure> {
-    let bounds = mesh.triangle_mesh().bounds();
-    bounds.ok_or_else(|| Failure::Input(format!("{}: has no face", mesh.named().name)))
+    mesh.bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", mesh.named().name)))
 }
 
 /// Three numbers as the command line takes them.
@@ -125,7 +130,7 @@ impl CameraArgument<'_> {
     /// The camera, or that of the default view.
     pub fn get(&self) -> PyResult<Camera> {
         match &self.0 {
-            Some(camera) => Camera::of_words(camera.get().words.clone()),
+            Some(camera) => Ok(camera.get().clone()),
             None => Camera::of_words(Vec::new()),
         }
     }

@@ -16,6 +16,7 @@ use silhouette_core::method::{ExtractionStats, OptionValues};
 use silhouette_core::{SilhouetteEdges, Topology, VertexId, Viewpoint};
 use silhouettes::application::Failure;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 /// A method that extracts edges, with its options.
 fn extractor_of(name: &str, options: Option<&Bound<'_, PyDict>>) -> PyResult<(&'static Entry, OptionValues)> {
@@ -133,6 +134,8 @@ struct State {
     prepared: Prepared,
     found: SilhouetteEdges,
     stats: ExtractionStats,
+    /// How long the last view took.
+    took: Duration,
 }
 
 impl Extractor {
@@ -160,7 +163,7 @@ impl Extractor {
             Ok((prepared, given.prepared().artefact::<Topology>("edges", progress)?))
         })?;
         let (found, stats) = (SilhouetteEdges::default(), ExtractionStats::default());
-        let state = Mutex::new(State { prepared, found, stats });
+        let state = Mutex::new(State { prepared, found, stats, took: Duration::ZERO });
         Ok(Self { mesh: mesh.clone().unbind(), topology, state })
     }
 
@@ -171,9 +174,11 @@ impl Extractor {
         let viewpoint = viewpoint(self.mesh.get(), eye)?;
         let edges = py.detach(|| {
             let mut state = self.state();
-            let State { prepared, found, stats } = &mut *state;
+            let State { prepared, found, stats, took } = &mut *state;
             if let Some(method) = prepared.edges() {
+                let started = Instant::now();
                 *stats = method.extract_edges(&viewpoint, found);
+                *took = started.elapsed();
             }
             end_points(found, &self.topology)
         });
@@ -184,5 +189,11 @@ impl Extractor {
     #[getter]
     fn stats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.state().stats)
+    }
+
+    /// Milliseconds that the method took in the last update, without making an array of what it found.
+    #[getter]
+    fn last_ms(&self) -> f64 {
+        self.state().took.as_secs_f64() * 1e3
     }
 }

@@ -11,6 +11,7 @@ mod edges;
 mod errors;
 mod lines;
 mod mesh;
+mod mesh_memory;
 mod method;
 mod picture;
 mod program;
@@ -34,7 +35,7 @@ mod module {
     #[pymodule_export]
     use crate::errors::Error;
     #[pymodule_export]
-    use crate::lines::{LineFinder, outline, visible_lines};
+    use crate::lines::{LineFinder, outline, visible_lines, write_lines};
     #[pymodule_export]
     use crate::mesh::{Mesh, load};
     #[pymodule_export]

@@ -2,7 +2,7 @@
 
 use crate::errors::{bad_input, exception};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyList};
+use pyo3::types::{PyBool, PyDict, PyList, PyTuple};
 use silhouette_compare::registry::{Entry, Registry};
 use silhouette_core::method::OptionValues;
 use silhouettes::application::Failure;
@@ -34,7 +34,8 @@ pub fn options(entry: &Entry, words: &[String]) -> PyResult<OptionValues> {
     values.map_err(|error| exception(&Failure::from(error)))
 }
 
-/// Keyword options as words of a command: `--name=value`, `--name` for True, nothing for False and None, a word for each of a list.
+/// Keyword options as words of a command: `--name=value`, `--name` for True, nothing for False and None, a word for each of a list,
+/// and numbers of a tuple with commas between.
 pub fn command_words(options: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
     let mut words = Vec::new();
     let Some(options) = options else { return Ok(words) };
@@ -47,6 +48,10 @@ pub fn command_words(options: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String
         for value in values {
             if let Ok(is_on) = value.cast::<PyBool>() {
                 words.extend(is_on.is_true().then(|| format!("--{name}")));
+            } else if let Ok(numbers) = value.cast::<PyTuple>() {
+                let numbers =
+                    numbers.iter().map(|number| Ok(number.str()?.to_string())).collect::<PyResult<Vec<_>>>()?;
+                words.push(format!("--{name}={}", numbers.join(",")));
             } else if !value.is_none() {
                 words.push(format!("--{name}={}", value.str()?));
             }

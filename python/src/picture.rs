@@ -6,13 +6,11 @@ use crate::mesh::Mesh;
 use crate::method;
 use crate::progress;
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
-use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use silhouette_compare::drawing::{FrameStyle, Ground};
 use silhouette_render::Gpu;
 use silhouettes::application::{self, Failure, MethodArguments};
-use std::ffi::CString;
 use std::sync::{Mutex, PoisonError};
 
 /// The device, opened when something is drawn for the first time. One picture is drawn at a time.
@@ -79,14 +77,8 @@ pub fn render<'py>(
         with_device(|gpu| application::picture(gpu, (entry, &options), mesh.named(), &camera, style, progress))
     })?;
     if let Some(warning) = drawn.warning {
-        warn(py, &warning)?;
+        progress::warn(py, &warning)?;
     }
     let [columns, rows] = camera.size().map(|side| side as usize);
     PyArray1::from_vec(py, drawn.image.rgba).reshape([rows, columns, 4])
-}
-
-/// Warns of what does not stop a call, but its user has to know.
-pub fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
-    let text = CString::new(text).map_err(bad_input)?;
-    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1)
 }

@@ -1,9 +1,12 @@
 //! Work without the interpreter's lock: other Python threads run meanwhile, Ctrl-C cancels, and a callback hears how far it is.
 
-use crate::errors::exception;
+use crate::errors::{bad_input, exception};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use silhouette_core::Progress;
 use silhouettes::application::Failure;
+use silhouettes::calls;
+use std::ffi::CString;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, PoisonError};
@@ -44,6 +47,8 @@ impl Progress for Report {
 /// Does work on a thread of its own. This thread, on which alone Python delivers signals, waits for it, and cancels it when a signal
 /// or `callback(stage, done, total)` raises; the work's result is then dropped.
 ///
+/// What the work notes is warned of once it is done.
+///
 /// # Errors
 /// What the signal or the callback raised, or else the failure of the work.
 pub fn run<T: Send>(
@@ -59,7 +64,7 @@ pub fn run<T: Send>(
             let (sender, receiver) = channel();
             let report = &report;
             let worker = scope.spawn(move || {
-                let result = work(report);
+                let result = calls::with_notes(|| work(report));
                 // Where nobody receives, the scope waits for this thread itself.
                 let _ = sender.send(());
                 result
@@ -86,8 +91,18 @@ pub fn run<T: Send>(
         return Err(error);
     }
     match result {
-        Ok(result) => result.map_err(|failure| exception(&failure)),
+        Ok((result, notes)) => {
+            let result = result.map_err(|failure| exception(&failure))?;
+            notes.iter().try_for_each(|note| warn(py, note))?;
+            Ok(result)
+        }
         // pyo3 makes an exception of it.
         Err(panic) => std::panic::resume_unwind(panic),
     }
+}
+
+/// Warns of what does not stop a call, but its user has to know.
+pub fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
+    let text = CString::new(text).map_err(bad_input)?;
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1)
 }

@@ -1,5 +1,6 @@
 """Arrays in: what is taken, what is refused and how."""
 
+import gc
 from typing import Any
 
 import numpy as np
@@ -25,9 +26,29 @@ def test_a_mesh_does_not_change_with_the_arrays_that_it_was_made_of() -> None:
     mesh = silhouettes.Mesh(vertices, faces)
     vertices[:] = 7
     faces[:] = 0
-    mesh.vertices[:] = 8
     np.testing.assert_array_equal(mesh.vertices, np.array(TRIANGLE, np.float32))
     np.testing.assert_array_equal(mesh.faces, [[0, 1, 2]])
+
+
+def test_arrays_of_a_mesh_are_its_memory_and_outlive_it() -> None:
+    mesh = silhouettes.load("builtin:knot")
+    vertices, faces = mesh.vertices, mesh.faces
+    assert np.shares_memory(vertices, mesh.vertices) and np.shares_memory(faces, mesh.faces)
+    assert not np.shares_memory(vertices, vertices.copy())
+    # What an array shows may not change under a method that runs meanwhile.
+    for array in (vertices, faces):
+        with pytest.raises(ValueError, match="read-only"):
+            array[:] = 8
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            array.setflags(write=True)
+    before = vertices.copy(), faces.copy()
+    del mesh
+    gc.collect()
+    # Takes the memory if it were free again.
+    other = [silhouettes.load("builtin:torus") for _ in range(20)]
+    np.testing.assert_array_equal(vertices, before[0])
+    np.testing.assert_array_equal(faces, before[1])
+    assert len(other) == 20
 
 
 def test_vertices_far_from_zero_count_from_close_by() -> None:
@@ -119,6 +140,19 @@ def test_files_that_are_none_are_refused_in_the_command_lines_words(tmp_path: An
             silhouettes.load(path)
     with pytest.raises(silhouettes.Error, match="missing.siltex"):
         silhouettes.Texture.load(tmp_path / "missing.siltex")
+
+
+def test_files_are_named_not_given(tmp_path: Any) -> None:
+    path = tmp_path / "cube.off"
+    path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    file: Any
+    with path.open() as file:
+        with pytest.raises(TypeError, match="PathLike"):
+            silhouettes.load(file)
+    for load in (silhouettes.load, silhouettes.Texture.load):
+        with pytest.raises(TypeError, match="PathLike"):
+            load(file)
+    assert len(silhouettes.load(path).faces) == 1
 
 
 def test_unknown_methods_and_options_are_refused_with_the_known_ones() -> None:

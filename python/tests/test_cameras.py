@@ -107,17 +107,27 @@ def test_objects_with_the_interface_of_pyvista_and_trimesh_are_cameras() -> None
     check(SimpleNamespace(camera_transform=np.linalg.inv(VIEW), camera=lens), perspective(35))
 
 
-def test_real_objects_of_pyvista_and_trimesh_are_cameras() -> None:
+def test_a_real_scene_of_trimesh_is_a_camera() -> None:
     trimesh = pytest.importorskip("trimesh")
     scene = trimesh.Scene()
     scene.camera.resolution = SIZE
     scene.camera.fov = (50.0, 35.0)
     scene.camera_transform = np.linalg.inv(VIEW)
     check(scene, perspective(35))
+
+
+def test_a_real_camera_and_a_real_plotter_of_pyvista_are_cameras() -> None:
     pyvista = pytest.importorskip("pyvista")
     camera = pyvista.Camera()
     camera.position, camera.focal_point, camera.up, camera.view_angle = EYE, TARGET, UP, 35.0
     check(silhouettes.camera(camera, SIZE), perspective(35))
+    camera.parallel_projection, camera.parallel_scale = True, 2.5
+    check(silhouettes.camera(camera, SIZE), orthographic(5))
+    # Nothing is drawn, so that this works without a display.
+    plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+    plotter.camera.position, plotter.camera.focal_point = EYE, TARGET
+    plotter.camera.up, plotter.camera.view_angle = UP, 35.0
+    check(plotter, perspective(35))
 
 
 def test_what_is_no_camera_is_refused() -> None:

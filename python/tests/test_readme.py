@@ -9,8 +9,9 @@ import pytest
 README = Path(__file__).parents[1] / "README.md"
 
 
-def test_examples_run() -> None:
+def test_examples_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas")
+    monkeypatch.chdir(tmp_path)
     snippets = re.findall(r"```python\n(.*?)```", README.read_text(), re.DOTALL)
     assert len(snippets) >= 5
     names: dict[str, Any] = {}

@@ -15,7 +15,7 @@ use crate::output::Output;
 use crate::winding::Winding;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::Progress;
-use silhouette_core::load::Note;
+use silhouette_core::load::{LabelledMesh, Note};
 use std::path::Path;
 
 /// A mesh by its name on the command line, as it is wound, and what its reader noted.
@@ -24,6 +24,14 @@ use std::path::Path;
 /// [`Failure`]: there is no such file or shape, or it cannot be read.
 pub fn load(argument: &MeshArgument, progress: &dyn Progress) -> Result<(NamedMesh, Vec<Note>), Failure> {
     input::mesh_with_notes(argument, progress)
+}
+
+/// The same with what its file says of parts, materials and sharp edges.
+///
+/// # Errors
+/// [`Failure`]: there is no such file or shape, or it cannot be read.
+pub fn load_labelled(argument: &MeshArgument, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+    input::silently_labelled(argument, progress)
 }
 
 /// Writes a file as the commands do: it appears whole or not at all.

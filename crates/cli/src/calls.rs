@@ -1,11 +1,15 @@
 //! Commands as calls, for programs that have their meshes in memory and take results as values: nothing is printed but notes, and no file
 //! is written. Options are the words of the command line, so that they mean the same and are refused in the same text.
 
+mod lines;
+
 pub use crate::bake::{Baked, baked, metadata};
-pub use crate::input::hull_of_texture;
+pub use crate::failure::with_notes;
+pub use crate::input::{hull_of_texture, prepared};
 pub use crate::lines::of_finding;
 pub use crate::reproduce::{default_meshes, reproduction};
 pub use crate::smooth::view_mesh;
+pub use lines::{WantedLines, changed_mesh, write_lines};
 
 use crate::args::{Arguments, Command};
 use crate::compare;
@@ -16,11 +20,9 @@ use clap::FromArgMatches;
 use silhouette_compare::recommend::{Check, Recommendation};
 use silhouette_compare::runner::NamedMesh;
 use silhouette_compare::{Comparison, Registry};
-use silhouette_core::{Camera, Progress};
+use silhouette_core::Progress;
 use silhouette_render::Gpu;
-use silhouette_visibility::{LineFinder, LineOptions, LineScene, Lines};
 use std::ffi::OsString;
-use std::sync::Arc;
 
 /// What stands where a command wants the name of a mesh, and the caller has the mesh itself.
 const IN_MEMORY: &str = "builtin:cube";
@@ -51,31 +53,6 @@ fn with<'a>(words: &[String], more: impl IntoIterator<Item = &'a str>) -> Vec<St
 /// [`Failure::Run`]: never for the methods of this workspace.
 pub fn methods(registry: &Registry) -> Result<String, Failure> {
     methods::json(registry.entries())
-}
-
-/// The lines that words of `lines` want.
-///
-/// # Errors
-/// [`Failure::Input`]: a word does not fit.
-pub fn line_options(words: &[String], registry: &Registry) -> Result<LineOptions, Failure> {
-    match of_words("lines", &with(words, [IN_MEMORY]), registry)? {
-        Command::Lines(arguments) => Ok(arguments.line_options()),
-        _ => unreachable!("the command is lines"),
-    }
-}
-
-/// The lines of one view of a mesh.
-///
-/// # Errors
-/// [`Failure`]: the view is too crowded, or the work was cancelled.
-pub fn lines(
-    mesh: &NamedMesh,
-    camera: &Camera,
-    wanted: &LineOptions,
-    progress: &dyn Progress,
-) -> Result<Lines, Failure> {
-    let mut finder = LineFinder::new(LineScene::new(Arc::clone(&mesh.mesh)), progress)?;
-    finder.find(camera, wanted, progress).map_err(|error| of_finding(&mesh.name, error))
 }
 
 /// What words of `compare` measure on these meshes; on those of the scene, where there are none.

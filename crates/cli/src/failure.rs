@@ -1,5 +1,6 @@
 //! How a command fails: one line on stderr and an exit code.
 
+use crate::PROGRAM;
 use crate::interrupt;
 use silhouette_compare::runner::CompareError;
 use silhouette_core::load::LoadError;
@@ -7,6 +8,7 @@ use silhouette_core::method::{OptionError, PrepareError};
 use silhouette_core::progress::Cancelled;
 use silhouette_core::view::ViewError;
 use silhouette_render::GpuError;
+use std::cell::RefCell;
 use std::fmt::{self, Display};
 use std::io::Write;
 use std::process::ExitCode;
@@ -86,10 +88,34 @@ impl Display for Failure {
     }
 }
 
+thread_local! {
+    /// Notes of this thread, where somebody takes them.
+    static TAKEN: RefCell<Option<Vec<String>>> = const { RefCell::new(None) };
+}
+
 /// Prints a note to stderr, on one line: something that does not stop the command, but that its user has to know.
+/// [`with_notes`] takes it instead.
 pub fn note(message: impl Display) {
-    // Where stderr is closed there is nobody to tell.
-    let _ = writeln!(std::io::stderr(), "silhouettes: note: {}", one_line(&message.to_string()));
+    let line = one_line(&message.to_string());
+    let printed = TAKEN.with_borrow_mut(|taken| match taken {
+        Some(notes) => {
+            notes.push(line);
+            None
+        }
+        None => Some(line),
+    });
+    if let Some(line) = printed {
+        // Where stderr is closed there is nobody to tell.
+        let _ = writeln!(std::io::stderr(), "{PROGRAM}: note: {line}");
+    }
+}
+
+/// Does work, and yields what it notes on this thread, instead of printing it.
+pub fn with_notes<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
+    let outer = TAKEN.replace(Some(Vec::new()));
+    let done = work();
+    let notes = TAKEN.replace(outer).unwrap_or_default();
+    (done, notes)
 }
 
 /// clap's message as one line: its paragraphs up to the usage, which `--help` of the program shows.
@@ -161,6 +187,20 @@ mod tests {
     fn nothing_that_a_terminal_obeys_is_printed() {
         let failure = Failure::input("there is no option 'a\u{1b}[2J\0b\nc\u{9b}'; the method has none");
         assert_eq!(failure.to_string(), "there is no option 'a\\u{1b}[2J\\u{0}b c\\u{9b}'; the method has none");
+    }
+
+    #[test]
+    fn notes_go_to_the_innermost_who_takes_them() {
+        let ((inner, notes), outer) = with_notes(|| {
+            note("before");
+            let inner = with_notes(|| note("a\nnote"));
+            note("after");
+            inner
+        });
+        assert_eq!(
+            (inner, notes, outer),
+            ((), vec!["a note".to_owned()], vec!["before".to_owned(), "after".to_owned()])
+        );
     }
 
     #[test]

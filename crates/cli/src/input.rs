@@ -49,7 +49,8 @@ pub fn mesh_with_notes(argument: &MeshArgument, progress: &dyn Progress) -> Resu
     Ok((prepared(name, loaded), notes))
 }
 
-fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
+/// A mesh with its name, from which methods are prepared.
+pub fn prepared(name: String, loaded: LabelledMesh) -> NamedMesh {
     let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
     NamedMesh { name, mesh: Arc::new(PreparedMesh::new(loaded.mesh).with_feature_edges(feature_edges)) }
 }
@@ -166,7 +167,8 @@ fn labelled(
     Ok((name, loaded))
 }
 
-fn silently_labelled(argument: &MeshArgument, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
+/// The same, as it is wound, and with what the reader noted instead of printing it.
+pub fn silently_labelled(argument: &MeshArgument, progress: &dyn Progress) -> Result<(String, LabelledMesh), Failure> {
     match argument {
         MeshArgument::Builtin(shape) => {
             let mesh = shapes::by_name(shape).map_err(|error| Failure::Input(format!("{argument}: {error}")))?;

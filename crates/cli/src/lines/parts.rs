@@ -3,9 +3,8 @@
 use super::arguments::PartArguments;
 use crate::failure::Failure;
 use crate::input;
-use crate::progress::TerminalProgress;
 use silhouette_core::load::{self, LabelledMesh, Part};
-use silhouette_core::{FaceId, TriangleMesh};
+use silhouette_core::{FaceId, Progress, TriangleMesh};
 use silhouette_visibility::LineScene;
 use silhouette_visibility::plot::LayersBy;
 use std::collections::{BTreeSet, HashMap};
@@ -31,7 +30,7 @@ pub fn select(
     meshes: &mut Vec<(String, LabelledMesh)>,
     arguments: &PartArguments,
     whole: bool,
-    progress: &TerminalProgress,
+    progress: &dyn Progress,
 ) -> Result<Parts, Failure> {
     let known = names(meshes);
     for (option, names) in [("--only", &arguments.only), ("--without", &arguments.without)] {

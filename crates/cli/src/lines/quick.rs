@@ -2,8 +2,7 @@
 
 use super::of_finding;
 use crate::failure::Failure;
-use crate::progress::TerminalProgress;
-use silhouette_core::Camera;
+use silhouette_core::{Camera, Progress};
 use silhouette_gpu::MeshBuffers;
 use silhouette_render::{AdapterChoice, FaceIdPass, Gpu};
 use silhouette_visibility::{FaceIds, LineOptions, LineScene, Lines, QuickLineFinder};
@@ -19,7 +18,7 @@ pub fn find(
     names: &str,
     camera: &Camera,
     options: &LineOptions,
-    progress: &TerminalProgress,
+    progress: &dyn Progress,
 ) -> Result<(Duration, Lines), Failure> {
     let started = Instant::now();
     let gpu = AdapterChoice::from_env().and_then(Gpu::new).map_err(Failure::run)?;

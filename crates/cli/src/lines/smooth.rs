@@ -9,14 +9,14 @@
 //! not hidden by the faces that have a vertex in common with that face, or is no visible line.
 
 use crate::failure::Failure;
-use crate::progress::TerminalProgress;
 use glam::{DVec3, Vec3};
 use silhouette_core::curves::{CurveKind, CurveSource, SmoothPiece};
 use silhouette_core::id::HalfEdgeId;
 use silhouette_core::load::LabelledMesh;
 use silhouette_core::weld::{Welded, weld_exact};
 use silhouette_core::{
-    Camera, EdgeId, ExtractsCurves, FaceId, Method, PreparedMesh, SilhouetteCurves, Topology, TriangleMesh, VertexId,
+    Camera, EdgeId, ExtractsCurves, FaceId, Method, PreparedMesh, Progress, SilhouetteCurves, Topology, TriangleMesh,
+    VertexId,
 };
 use silhouette_smoothing::{Eye, Remesher, Smoothing, SmoothingOptions, SmoothingView, ViewMesh};
 use silhouette_visibility::{CurvePiece, LineKind, LineOptions, LineScene, VertexFaces};
@@ -31,7 +31,7 @@ pub fn scene(
     meshes: &[(String, LabelledMesh)],
     camera: &Camera,
     wanted: &LineOptions,
-    progress: &TerminalProgress,
+    progress: &dyn Progress,
 ) -> Result<(LineScene, LineOptions), Failure> {
     let mut surfaces = Vec::new();
     let mut curves: Vec<CurvePiece> = Vec::new();
@@ -106,7 +106,7 @@ impl SmoothView {
         loaded: &LabelledMesh,
         camera: &Camera,
         wanted: &LineOptions,
-        progress: &TerminalProgress,
+        progress: &dyn Progress,
     ) -> Result<Self, Failure> {
         let feature_edges = loaded.feature_edges.iter().map(|edge| edge.map(VertexId::new)).collect();
         let mesh = Arc::new(PreparedMesh::new(loaded.mesh.clone()).with_feature_edges(feature_edges));

@@ -1,17 +1,14 @@
 //! One view, or several on one page (`--views`).
 
 use super::arguments::LinesArguments;
-use super::parts::Parts;
-use super::{of_finding, of_plotting, quick, smooth};
+use super::{Shown, of_finding, of_plotting, quick, smooth};
 use crate::failure::Failure;
-use crate::progress::TerminalProgress;
-use silhouette_core::Camera;
 use silhouette_core::glam::DVec3;
-use silhouette_core::load::LabelledMesh;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::ViewPreset;
+use silhouette_core::{Camera, Progress};
 use silhouette_visibility::plot::{self, Drawing, PlotOptions, SheetView};
-use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines, Outline};
+use silhouette_visibility::{LineError, LineFinder, LineOptions, Lines, Outline};
 use std::time::{Duration, Instant};
 
 /// The views that are drawn.
@@ -19,19 +16,6 @@ pub struct Views {
     cameras: Vec<Camera>,
     /// What each shows, where there are several.
     presets: Option<Vec<ViewPreset>>,
-}
-
-/// What is shown.
-pub struct Shown<'a> {
-    /// The meshes' names, for errors.
-    pub names: &'a str,
-    pub meshes: &'a [(String, LabelledMesh)],
-    pub parts: &'a Parts,
-    pub scene: &'a LineScene,
-    /// For each face whether it is a mask, where there are some.
-    pub masks: Option<Vec<bool>>,
-    /// What of the scene is no mask, where there are some.
-    pub drawn: Option<LineScene>,
 }
 
 impl Views {
@@ -53,10 +37,10 @@ impl Views {
     /// The lines of each view, and the time that preparing took. What `plots` needs is found besides what is wanted.
     pub fn find(
         &self,
-        shown: &Shown<'_>,
+        shown: &Shown,
         arguments: &LinesArguments,
         plots: bool,
-        progress: &TerminalProgress,
+        progress: &dyn Progress,
     ) -> Result<(Duration, Vec<Lines>), Failure> {
         let started = Instant::now();
         let wanted = arguments.line_options();
@@ -67,21 +51,20 @@ impl Views {
         let mut prepare = Duration::ZERO;
         let mut all = Vec::new();
         for camera in &self.cameras {
-            let (mut scene, mut wanted) = (shown.scene.clone(), wanted.clone());
+            let mut wanted = wanted.clone();
             wanted.outline &= outline.is_none();
-            if arguments.smooth {
-                (scene, wanted) = smooth::scene(shown.meshes, camera, &wanted, progress)?;
-                let is_mask = shown.parts.masked_files(shown.meshes)?;
-                let curves = scene.curves().iter().filter(|curve| !is_mask[curve.object as usize]).cloned().collect();
-                scene = scene.with_curves(curves).map_err(Failure::input)?;
+            let scene = if arguments.smooth {
+                let surfaces;
+                (surfaces, wanted) = smooth::scene(&shown.meshes, camera, &wanted, progress)?;
+                let is_mask = shown.parts.masked_files(&shown.meshes)?;
+                let curves =
+                    surfaces.curves().iter().filter(|curve| !is_mask[curve.object as usize]).cloned().collect();
+                surfaces.with_curves(curves).map_err(Failure::input)?
             } else {
-                scene = shown.parts.as_objects(scene, shown.meshes)?;
-                if let Some(masks) = &shown.masks {
-                    scene = scene.with_masks(masks.clone()).map_err(Failure::input)?;
-                }
-            }
+                shown.masked_scene()?
+            };
             let mut lines = if arguments.quick {
-                let (prepared, lines) = quick::find(&scene, shown.names, camera, &wanted, progress)?;
+                let (prepared, lines) = quick::find(&scene, &shown.names, camera, &wanted, progress)?;
                 prepare += prepared;
                 lines
             } else {
@@ -92,11 +75,11 @@ impl Views {
                 }
                 let found = find(&mut ready, camera, &wanted, plots && arguments.bridges_gaps(), progress);
                 finder = Some(ready);
-                found.map_err(|error| of_finding(shown.names, error))?
+                found.map_err(|error| of_finding(&shown.names, error))?
             };
             if let Some(finder) = &mut outline {
                 let found: Result<Outline, _> = finder.outline(camera, progress);
-                lines.outline = found.map_err(|error| of_finding(shown.names, error))?;
+                lines.outline = found.map_err(|error| of_finding(&shown.names, error))?;
             }
             all.push(lines);
         }
@@ -109,7 +92,7 @@ impl Views {
         lines: &[Lines],
         arguments: &LinesArguments,
         options: &PlotOptions,
-        progress: &TerminalProgress,
+        progress: &dyn Progress,
     ) -> Result<Drawing, Failure> {
         let Some(presets) = &self.presets else { return plot::plot(&lines[0], options, progress).map_err(of_plotting) };
         let views = presets.iter().zip(lines).map(|(&preset, lines)| SheetView { preset, lines });
@@ -124,7 +107,7 @@ fn find(
     camera: &Camera,
     wanted: &LineOptions,
     bridges_gaps: bool,
-    progress: &TerminalProgress,
+    progress: &dyn Progress,
 ) -> Result<Lines, LineError> {
     if bridges_gaps && wanted.max_invisibility == 0 {
         let deeper = LineOptions { max_invisibility: 1, ..wanted.clone() };
