@@ -116,14 +116,13 @@ def test_a_real_scene_of_trimesh_is_a_camera() -> None:
     check(scene, perspective(35))
 
 
-def test_a_real_camera_and_a_real_plotter_of_pyvista_are_cameras() -> None:
-    pyvista = pytest.importorskip("pyvista")
+def test_a_real_camera_and_a_real_plotter_of_pyvista_are_cameras(pyvista: Any) -> None:
     camera = pyvista.Camera()
     camera.position, camera.focal_point, camera.up, camera.view_angle = EYE, TARGET, UP, 35.0
     check(silhouettes.camera(camera, SIZE), perspective(35))
     camera.parallel_projection, camera.parallel_scale = True, 2.5
     check(silhouettes.camera(camera, SIZE), orthographic(5))
-    # Nothing is drawn, so that this works without a display.
+    # It is not shown, so that nothing is drawn.
     plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
     plotter.camera.position, plotter.camera.focal_point = EYE, TARGET
     plotter.camera.up, plotter.camera.view_angle = UP, 35.0
