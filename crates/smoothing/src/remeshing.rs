@@ -11,8 +11,11 @@
 //! All faces at a side share its points, so that a closed mesh stays closed for whatever signs its vertices have.
 //!
 //! Departure: the paper triangulates the visible part of a silhouette triangle. Here the invisible part is kept too: it closes
-//! the mesh, and no crack can open where signs of vertices and the image disagree.
+//! the mesh, and no crack can open where signs of vertices and the image disagree. When an image is drawn, those of its triangles
+//! that are seen from behind may be left out ([`Curves::left_out_from`]). A ray from outside of a closed surface to the outside
+//! passes as many triangles from the front as from behind; so where it passes any, it passes one that is kept.
 
+use crate::eye::Eye;
 use crate::feature_samples::FeatureSamples;
 use crate::feature_segments::FeatureSegments;
 use crate::shading_mesh::ShadingMesh;
@@ -35,6 +38,10 @@ pub struct Curves<'a> {
     pub silhouette: &'a SilhouetteSegments,
     /// Number of straight pieces of each silhouette segment.
     pub counts: &'a [u32],
+    /// Vertices that are moved, and where they are put.
+    pub moved: &'a [(u32, DVec3)],
+    /// The eye from which triangles of invisible parts that are seen from behind are left out, if any are.
+    pub left_out_from: Option<Eye>,
 }
 
 /// Re-meshes view after view; scratch memory.
@@ -46,6 +53,8 @@ pub struct LocalRemeshing {
     /// Samples of the silhouette segment, both ends included.
     chain: Vec<u32>,
     polygon: Vec<u32>,
+    /// Vertices that the last view has moved.
+    moved: Vec<u32>,
 }
 
 const NONE: u32 = u32::MAX;
@@ -72,25 +81,55 @@ impl Side {
 }
 
 impl LocalRemeshing {
-    /// Replaces `out` by the triangles of a view. The first vertices are the shading vertices, in their order. O(F + samples).
+    /// Replaces `out`, which has to be empty or as the last call left it, by the triangles of a view. The first vertices are the
+    /// shading vertices, in their order. O(F + samples).
     pub fn remesh(&mut self, curves: &Curves<'_>, out: &mut ViewMesh) {
         let mesh = curves.mesh;
-        out.clear();
-        out.positions.extend_from_slice(mesh.positions());
-        out.normals.extend_from_slice(mesh.normals());
-        out.origins.extend_from_slice(mesh.origins());
+        self.begin_with_shading_vertices(curves, out);
         self.vertex_of_point.clear();
         self.vertex_of_point.resize(curves.silhouette.points().len(), NONE);
         let mut segments = curves.silhouette.segments().iter().zip(curves.counts).peekable();
-        for (index, &corners) in mesh.triangles().iter().enumerate() {
-            let face = FaceId::from_usize(index);
-            if let Some((segment, &count)) = segments.next_if(|(segment, _)| segment.triangle.face == face) {
-                self.silhouette_triangle(curves, segment, count, out);
-            } else if mesh.has_feature(face) {
-                self.feature_triangle(curves, face, out);
-            } else {
-                out.triangles.push(corners);
+        let mut bent = mesh.feature_faces().iter().copied().peekable();
+        let mut done = 0;
+        loop {
+            let crossed = segments.peek().map(|(segment, _)| segment.triangle.face);
+            // A face that is both is re-meshed once.
+            let Some(face) = crossed.into_iter().chain(bent.peek().copied()).min() else { break };
+            out.triangles.extend_from_slice(&mesh.triangles()[done..face.index()]);
+            done = face.index() + 1;
+            bent.next_if_eq(&face);
+            match segments.next_if(|_| crossed == Some(face)) {
+                Some((segment, &count)) => self.silhouette_triangle(curves, segment, count, out),
+                None => self.feature_triangle(curves, face, out),
             }
+        }
+        out.triangles.extend_from_slice(&mesh.triangles()[done..]);
+    }
+
+    /// Leaves the shading vertices in `out`, those that moved where they are put. In what the last call left, only those that it
+    /// moved differ from the mesh.
+    fn begin_with_shading_vertices(&mut self, curves: &Curves<'_>, out: &mut ViewMesh) {
+        let mesh = curves.mesh;
+        let count = mesh.positions().len();
+        out.triangles.clear();
+        if out.positions.len() < count {
+            out.clear();
+            out.positions.extend_from_slice(mesh.positions());
+            out.normals.extend_from_slice(mesh.normals());
+            out.origins.extend_from_slice(mesh.origins());
+        } else {
+            out.positions.truncate(count);
+            out.normals.truncate(count);
+            out.origins.truncate(count);
+            for &vertex in &self.moved {
+                let range = mesh.shading_vertices(vertex);
+                out.positions[range.clone()].copy_from_slice(&mesh.positions()[range]);
+            }
+        }
+        self.moved.clear();
+        for &(vertex, to) in curves.moved {
+            out.positions[mesh.shading_vertices(vertex)].fill(to.as_vec3());
+            self.moved.push(vertex);
         }
     }
 
@@ -142,6 +181,7 @@ impl LocalRemeshing {
         let corner = |i: usize| (corners[slots[i]], Vec3::AXES[slots[i]]);
         let [leaving, opposite, returning] = slots.map(|slot| &self.sides[slot]);
         let (chain, polygon) = (&self.chain, &mut self.polygon);
+        let begin = out.triangles.len();
 
         if leaving.silhouette_at == 0 && returning.after_silhouette().len() == 1 {
             chain.windows(2).for_each(|pair| out.push_triangle([lone, pair[0], pair[1]]));
@@ -153,7 +193,11 @@ impl LocalRemeshing {
             polygon.extend_from_slice(returning.after_silhouette());
             fan(push_middle(triangle.face, &[corner(0), ends[0], ends[1]], out), polygon, out);
         }
+        if let (Some(eye), false) = (curves.left_out_from, triangle.lone_is_visible) {
+            leave_out_behind(eye, curves.mesh.is_turned()[triangle.face.index()], begin, out);
+        }
 
+        let begin = out.triangles.len();
         let is_straight = leaving.after_silhouette().len() == 1 && opposite.vertices.is_empty();
         if is_straight && returning.silhouette_at == 0 {
             let half = chain.len() / 2;
@@ -169,6 +213,9 @@ impl LocalRemeshing {
             polygon.extend_from_slice(returning.before_silhouette());
             polygon.extend(chain[1..chain.len() - 1].iter().rev());
             fan(push_middle(triangle.face, &[ends[0], corner(1), corner(2), ends[1]], out), polygon, out);
+        }
+        if let (Some(eye), true) = (curves.left_out_from, triangle.lone_is_visible) {
+            leave_out_behind(eye, curves.mesh.is_turned()[triangle.face.index()], begin, out);
         }
     }
 
@@ -257,7 +304,23 @@ impl LocalRemeshing {
             + size_of_val(self.vertex_of_point.as_slice())
             + size_of_val(self.chain.as_slice())
             + size_of_val(self.polygon.as_slice())
+            + size_of_val(self.moved.as_slice())
     }
+}
+
+/// Removes those of the triangles from `begin` on that an eye sees from behind; `is_turned`: they are wound inside out.
+fn leave_out_behind(eye: Eye, is_turned: bool, begin: usize, out: &mut ViewMesh) {
+    let outward = if is_turned { -1.0 } else { 1.0 };
+    let mut kept = begin;
+    for at in begin..out.triangles.len() {
+        let triangle = out.triangles[at];
+        let [a, b, c] = triangle.map(|vertex| out.positions[vertex as usize].as_dvec3());
+        if outward * (b - a).cross(c - a).dot(eye.toward(a)) >= 0.0 {
+            out.triangles[kept] = triangle;
+            kept += 1;
+        }
+    }
+    out.triangles.truncate(kept);
 }
 
 /// Triangles from one vertex of a polygon to the sides that do not touch it.
