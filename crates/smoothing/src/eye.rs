@@ -85,6 +85,26 @@ impl SmoothingView {
         self.to_pixel
     }
 
+    /// Where a point appears, in homogeneous pixels: x and y times w, and w.
+    #[inline]
+    pub fn homogeneous(&self, point: DVec3) -> DVec3 {
+        let [x, y, z, w] = self.columns();
+        point.x * x + point.y * y + point.z * z + w
+    }
+
+    /// How far a way in object space leads in homogeneous pixels.
+    #[inline]
+    pub fn homogeneous_way(&self, way: DVec3) -> DVec3 {
+        let [x, y, z, _] = self.columns();
+        way.x * x + way.y * y + way.z * z
+    }
+
+    #[inline]
+    fn columns(&self) -> [DVec3; 4] {
+        let all = &self.to_pixel;
+        [all.x_axis, all.y_axis, all.z_axis, all.w_axis].map(DVec4::xyw)
+    }
+
     /// Whether a ball lies in front of the viewer and within the range of depths as a whole, so that no plane cuts it.
     pub fn holds(&self, center: DVec3, radius: f64) -> bool {
         let [depth, w] = [self.to_pixel.row(2), self.to_pixel.row(3)];

@@ -20,7 +20,6 @@ use crate::feature_samples::FeatureSamples;
 use crate::feature_segments::FeatureSegments;
 use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_segments::{SilhouetteSegment, SilhouetteSegments};
-use crate::silhouette_triangles::SilhouetteTriangle;
 use crate::view_mesh::{Origin, ViewMesh};
 use silhouette_core::FaceId;
 use silhouette_core::glam::{DVec3, Vec3};
@@ -169,22 +168,36 @@ impl LocalRemeshing {
         let slots = [0, 1, 2].map(|i| ((triangle.lone + i) % 3) as usize);
         let corners = curves.mesh.triangles()[triangle.face.index()];
         let [lone, next, previous] = slots.map(|slot| corners[slot]);
+        let sides = [slots[0], slots[2]].map(|slot| HalfEdgeId::of(triangle.face, slot as u32));
+        let parameters = segment.points.map(|point| curves.silhouette.points()[point as usize].u);
+        let weights = [0, 1].map(|i| side_weights(curves.mesh, sides[i], parameters[i]));
+        // Which of both parts is invisible, if triangles of it may be left out.
+        let left_out = |of_lone: bool| curves.left_out_from.filter(|_| triangle.lone_is_visible != of_lone);
+        let is_turned = curves.mesh.is_turned()[triangle.face.index()];
+        let begin = out.triangles.len();
+        if !curves.mesh.has_feature(triangle.face) {
+            let ends = [0, 1].map(|i| self.vertex_of_point(curves, sides[i], segment.points[i], out));
+            self.sample_segment(curves, segment, count, ends, weights, out);
+            fan_to_lone(lone, &self.chain, out);
+            leave_out_behind(left_out(true), is_turned, begin, out);
+            let begin = out.triangles.len();
+            strip_to_pair([next, previous], &self.chain, out);
+            leave_out_behind(left_out(false), is_turned, begin, out);
+            return;
+        }
         let points = [Some(segment.points[0]), None, Some(segment.points[1])];
         for (slot, point) in slots.into_iter().zip(points) {
             self.bend_side(curves, HalfEdgeId::of(triangle.face, slot as u32), point, out);
         }
-        let sides = [slots[0], slots[2]].map(|slot| HalfEdgeId::of(triangle.face, slot as u32));
-        let parameters = segment.points.map(|point| curves.silhouette.points()[point as usize].u);
-        let weights = [0, 1].map(|i| side_weights(curves.mesh, sides[i], parameters[i]));
-        self.sample_segment(curves, segment, count, weights, out);
-        let ends = [0, 1].map(|i| (if i == 0 { self.chain[0] } else { self.chain[self.chain.len() - 1] }, weights[i]));
+        let ends = [slots[0], slots[2]].map(|slot| self.sides[slot].after_silhouette()[0]);
+        self.sample_segment(curves, segment, count, ends, weights, out);
+        let ends = [0, 1].map(|i| (ends[i], weights[i]));
         let corner = |i: usize| (corners[slots[i]], Vec3::AXES[slots[i]]);
         let [leaving, opposite, returning] = slots.map(|slot| &self.sides[slot]);
         let (chain, polygon) = (&self.chain, &mut self.polygon);
-        let begin = out.triangles.len();
 
         if leaving.silhouette_at == 0 && returning.after_silhouette().len() == 1 {
-            chain.windows(2).for_each(|pair| out.push_triangle([lone, pair[0], pair[1]]));
+            fan_to_lone(lone, chain, out);
         } else {
             polygon.clear();
             polygon.push(lone);
@@ -193,17 +206,12 @@ impl LocalRemeshing {
             polygon.extend_from_slice(returning.after_silhouette());
             fan(push_middle(triangle.face, &[corner(0), ends[0], ends[1]], out), polygon, out);
         }
-        if let (Some(eye), false) = (curves.left_out_from, triangle.lone_is_visible) {
-            leave_out_behind(eye, curves.mesh.is_turned()[triangle.face.index()], begin, out);
-        }
+        leave_out_behind(left_out(true), is_turned, begin, out);
 
         let begin = out.triangles.len();
         let is_straight = leaving.after_silhouette().len() == 1 && opposite.vertices.is_empty();
         if is_straight && returning.silhouette_at == 0 {
-            let half = chain.len() / 2;
-            chain[..=half].windows(2).for_each(|pair| out.push_triangle([next, pair[1], pair[0]]));
-            out.push_triangle([next, previous, chain[half]]);
-            chain[half..].windows(2).for_each(|pair| out.push_triangle([previous, pair[1], pair[0]]));
+            strip_to_pair([next, previous], chain, out);
         } else {
             polygon.clear();
             polygon.extend_from_slice(leaving.after_silhouette());
@@ -214,9 +222,27 @@ impl LocalRemeshing {
             polygon.extend(chain[1..chain.len() - 1].iter().rev());
             fan(push_middle(triangle.face, &[ends[0], corner(1), corner(2), ends[1]], out), polygon, out);
         }
-        if let (Some(eye), true) = (curves.left_out_from, triangle.lone_is_visible) {
-            leave_out_behind(eye, curves.mesh.is_turned()[triangle.face.index()], begin, out);
+        leave_out_behind(left_out(false), is_turned, begin, out);
+    }
+
+    /// The vertex of a silhouette point on a side that is no feature edge: one for all faces there.
+    fn vertex_of_point(&mut self, curves: &Curves<'_>, half_edge: HalfEdgeId, index: u32, out: &mut ViewMesh) -> u32 {
+        let known = &mut self.vertex_of_point[index as usize];
+        if *known == NONE {
+            let mesh = curves.mesh;
+            let point = &curves.silhouette.points()[index as usize];
+            let corners = mesh.triangles()[half_edge.face().index()];
+            let share = if runs_forward(mesh, half_edge) { point.u } else { 1.0 - point.u };
+            *known = match share {
+                0.0 => corners[half_edge.slot() as usize],
+                1.0 => corners[half_edge.next_in_face().slot() as usize],
+                _ => {
+                    let weights = side_weights(mesh, half_edge, point.u).to_array();
+                    out.push_vertex(point.position, point.normal, Origin { face: half_edge.face(), weights })
+                }
+            };
         }
+        *known
     }
 
     /// Finds the vertices inside a side, given the index of the silhouette point on it, if there is one.
@@ -233,16 +259,8 @@ impl LocalRemeshing {
         let on_side = |u: f64| Origin { face: half_edge.face(), weights: side_weights(mesh, half_edge, u).to_array() };
         let Some(feature) = curves.features.index_of(mesh.topology().edge_of(half_edge)) else {
             if let Some(index) = point {
-                let known = &mut self.vertex_of_point[index as usize];
-                if *known == NONE {
-                    let point = &curves.silhouette.points()[index as usize];
-                    *known = match share(point.u) {
-                        0.0 => corners[0],
-                        1.0 => corners[1],
-                        _ => out.push_vertex(point.position, point.normal, on_side(point.u)),
-                    };
-                }
-                side.vertices.push(*known);
+                let vertex = self.vertex_of_point(curves, half_edge, index, out);
+                self.sides[slots[0]].vertices.push(vertex);
             }
             return;
         };
@@ -275,17 +293,18 @@ impl LocalRemeshing {
         }
     }
 
-    /// The vertices of a silhouette segment, from its first point to its second, whose barycentric coordinates are `weights`.
+    /// The vertices of a silhouette segment, from that of its first point to that of its second, whose barycentric coordinates are
+    /// `weights`.
     fn sample_segment(
         &mut self,
         curves: &Curves<'_>,
         segment: &SilhouetteSegment,
         count: u32,
+        ends: [u32; 2],
         weights: [Vec3; 2],
         out: &mut ViewMesh,
     ) {
-        let SilhouetteTriangle { face, lone, .. } = segment.triangle;
-        let ends = [lone, (lone + 2) % 3].map(|slot| self.sides[slot as usize].after_silhouette()[0]);
+        let face = segment.triangle.face;
         let [a, b] = segment.points.map(|point| &curves.silhouette.points()[point as usize]);
         self.chain.clear();
         self.chain.push(ends[0]);
@@ -309,18 +328,32 @@ impl LocalRemeshing {
 }
 
 /// Removes those of the triangles from `begin` on that an eye sees from behind; `is_turned`: they are wound inside out.
-fn leave_out_behind(eye: Eye, is_turned: bool, begin: usize, out: &mut ViewMesh) {
-    let outward = if is_turned { -1.0 } else { 1.0 };
+fn leave_out_behind(eye: Option<Eye>, is_turned: bool, begin: usize, out: &mut ViewMesh) {
+    let Some(eye) = eye else { return };
     let mut kept = begin;
     for at in begin..out.triangles.len() {
         let triangle = out.triangles[at];
         let [a, b, c] = triangle.map(|vertex| out.positions[vertex as usize].as_dvec3());
-        if outward * (b - a).cross(c - a).dot(eye.toward(a)) >= 0.0 {
-            out.triangles[kept] = triangle;
-            kept += 1;
-        }
+        let facing = (b - a).cross(c - a).dot(eye.toward(a));
+        let stays = if is_turned { facing <= 0.0 } else { facing >= 0.0 };
+        // Half of them stay, in no order: a branch would be guessed wrong.
+        out.triangles[kept] = triangle;
+        kept += usize::from(stays);
     }
     out.triangles.truncate(kept);
+}
+
+/// Triangles from the lone corner to the vertices of the segment.
+fn fan_to_lone(lone: u32, chain: &[u32], out: &mut ViewMesh) {
+    chain.windows(2).for_each(|pair| out.push_triangle([lone, pair[0], pair[1]]));
+}
+
+/// Triangles between the side opposite to the lone corner and the vertices of the segment.
+fn strip_to_pair([next, previous]: [u32; 2], chain: &[u32], out: &mut ViewMesh) {
+    let half = chain.len() / 2;
+    chain[..=half].windows(2).for_each(|pair| out.push_triangle([next, pair[1], pair[0]]));
+    out.push_triangle([next, previous, chain[half]]);
+    chain[half..].windows(2).for_each(|pair| out.push_triangle([previous, pair[1], pair[0]]));
 }
 
 /// Triangles from one vertex of a polygon to the sides that do not touch it.
