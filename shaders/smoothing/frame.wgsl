@@ -56,6 +56,8 @@ struct SmoothingUniform {
     level_2_at: u32,
     total_at: u32,
     levels: u32,
+    // Whether triangles of invisible parts that are seen from behind draw nothing in this view.
+    leaves_out: u32,
 }
 
 @group(0) @binding(1) var<uniform> settings: SmoothingUniform;

@@ -18,10 +18,26 @@ var<private> fan_centre: u32;
 var<private> fan_first: u32;
 var<private> fan_last: u32;
 
+// The sign of facing of the part that is being written if what is seen from behind is left out of it, or 0.
+var<private> outward: f32;
+
+// Leaves out what is seen from behind until the next call, if the view does and the corner is not visible.
+fn begin_part(corner: u32) {
+    let turned = tables[settings.turned_groups_at + corner] != 0u;
+    outward = select(0.0, select(1.0, -1.0, turned), settings.leaves_out != 0u && !is_visible(corner));
+}
+
 fn push_triangle(a: u32, b: u32, c: u32) {
+    var third = c;
+    if outward != 0.0 {
+        let p = position_of(a);
+        let facing = dot(cross(position_of(b) - p, position_of(c) - p), toward_viewer(p));
+        // Two equal corners draw nothing.
+        third = select(c, a, outward * facing < 0.0);
+    }
     indices[3u * triangle] = a;
     indices[3u * triangle + 1u] = b;
-    indices[3u * triangle + 2u] = c;
+    indices[3u * triangle + 2u] = third;
     triangle++;
 }
 

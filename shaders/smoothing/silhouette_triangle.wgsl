@@ -53,6 +53,7 @@ fn write_silhouette(face: u32, lone_slot: u32, pieces: u32, coarse: bool) {
     let next = opposite.begin;
     let previous = returning.begin;
     let chain = written_chain(face, leaving, returning, pieces);
+    begin_part(lone);
     if is_plain_fan(leaving, returning) {
         for (var i = 0u; i < pieces; i++) {
             push_triangle(lone, chain_vertex(chain, i), chain_vertex(chain, i + 1u));
@@ -66,6 +67,7 @@ fn write_silhouette(face: u32, lone_slot: u32, pieces: u32, coarse: bool) {
         extend_fan_by_side(returning, returning.silhouette_at, side_length(returning));
         extend_fan(lone);
     }
+    begin_part(next);
     if is_plain_strip(leaving, opposite, returning) {
         let half = (pieces + 1u) / 2u;
         for (var i = 0u; i < half; i++) {

@@ -61,8 +61,10 @@ impl SmoothingView {
     pub fn from_camera(camera: &Camera) -> Self {
         // Pixels do not depend on the range of depths.
         let range = ClipRange { near: 1.0, far: 2.0 };
-        let to_clip = camera.world_to_clip(range, DepthDirection::Standard);
-        Self::new(Eye::from(camera.viewpoint()), to_clip, camera.size())
+        let mut to_clip = camera.world_to_clip(range, DepthDirection::Standard).transpose();
+        // A camera has no range of its own: all that is in front of it lies in the middle of one.
+        to_clip.z_axis = 0.5 * to_clip.w_axis;
+        Self::new(Eye::from(camera.viewpoint()), to_clip.transpose(), camera.size())
     }
 
     /// A view from an eye, with a matrix from object space to clip space and the size of the viewport in pixels.
@@ -83,6 +85,32 @@ impl SmoothingView {
         self.to_pixel
     }
 
+    /// Where a point appears, in homogeneous pixels: x and y times w, and w.
+    #[inline]
+    pub fn homogeneous(&self, point: DVec3) -> DVec3 {
+        let [x, y, z, w] = self.columns();
+        point.x * x + point.y * y + point.z * z + w
+    }
+
+    /// How far a way in object space leads in homogeneous pixels.
+    #[inline]
+    pub fn homogeneous_way(&self, way: DVec3) -> DVec3 {
+        let [x, y, z, _] = self.columns();
+        way.x * x + way.y * y + way.z * z
+    }
+
+    #[inline]
+    fn columns(&self) -> [DVec3; 4] {
+        let all = &self.to_pixel;
+        [all.x_axis, all.y_axis, all.z_axis, all.w_axis].map(DVec4::xyw)
+    }
+
+    /// Whether a ball lies in front of the viewer and within the range of depths as a whole, so that no plane cuts it.
+    pub fn holds(&self, center: DVec3, radius: f64) -> bool {
+        let [depth, w] = [self.to_pixel.row(2), self.to_pixel.row(3)];
+        [depth, w - depth].iter().all(|plane| plane.dot(center.extend(1.0)) >= radius * plane.xyz().length())
+    }
+
     /// Where a point appears, in pixels, and its w, which is above 0 in front of the viewer.
     pub fn pixel(&self, point: DVec3) -> (DVec2, f64) {
         let pixel = self.to_pixel * point.extend(1.0);
@@ -95,6 +123,21 @@ mod tests {
     use super::*;
     use silhouette_core::glam::Vec3;
     use silhouette_core::view::Projection;
+
+    #[test]
+    fn a_ball_is_held_unless_the_eye_or_a_plane_is_in_it() {
+        let camera =
+            Camera::new(5.0 * Vec3::Z, Vec3::ZERO, Vec3::Y, Projection::Perspective { fov_y_rad: 0.7 }, [64; 2])
+                .unwrap();
+        let whole = SmoothingView::from_camera(&camera);
+        assert!(whole.holds(DVec3::ZERO, 4.99) && !whole.holds(DVec3::ZERO, 5.01) && !whole.holds(9.0 * DVec3::Z, 1.0));
+        for direction in [DepthDirection::Standard, DepthDirection::Reversed] {
+            let to_clip = camera.world_to_clip(ClipRange { near: 4.0, far: 7.0 }, direction);
+            let view = SmoothingView::new(whole.eye(), to_clip, [64; 2]);
+            assert!(view.holds(DVec3::ZERO, 0.99) && !view.holds(DVec3::ZERO, 1.01), "near");
+            assert!(view.holds(-DVec3::Z, 0.99) && !view.holds(-DVec3::Z, 1.01), "far");
+        }
+    }
 
     #[test]
     fn pixels_are_those_of_the_camera() {

@@ -1,6 +1,7 @@
 //! Filled images of the methods that make triangles on the CPU: white, lit from the viewer's upper left.
 
-use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
+use crate::view_mesh::reach;
+use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 use crate::{AdaptiveRefinement, BoundaryCurve, MakesTriangles, PhongTessellation, PnTriangles};
 use silhouette_gpu::{Color, FillsImage, MeshBuffers, RendererError, Shade, TargetFormats};
 use std::sync::Arc;

@@ -22,15 +22,16 @@ impl Hermite {
     /// A direction of no length is replaced by the chord's. No direction may be opposite to the chord.
     pub fn along(ends: [DVec3; 2], directions: [DVec3; 2]) -> Self {
         let chord = ends[1] - ends[0];
-        let length = chord.length();
+        let square = chord.length_squared();
         let tangents = directions.map(|direction| {
-            let size = direction.length();
-            if size.is_nan() || size <= LEAST_SHARE * length {
+            let size_squared = direction.length_squared();
+            if size_squared.is_nan() || size_squared <= LEAST_SHARE * LEAST_SHARE * square {
                 return chord;
             }
-            let cosine = chord.dot(direction) / (length * size);
+            // 2 |chord| / (1 + cosine) over the size of the direction, with one root and one division.
+            let factor = 2.0 * square / ((size_squared * square).sqrt() + chord.dot(direction));
             // Away from a chord without length there is no cosine, and nothing to interpolate.
-            if cosine.is_nan() { chord } else { direction * (2.0 * length / (1.0 + cosine) / size) }
+            if factor.is_nan() { chord } else { direction * factor }
         });
         Self { ends, tangents }
     }

@@ -72,7 +72,7 @@ pub use eye::{Eye, SmoothingView};
 pub use hermite::Hermite;
 pub use options::SmoothingOptions;
 pub use shading_mesh::ShadingMesh;
-pub use smoothing::Smoothing;
+pub use smoothing::{DrawnSmoothing, Smoothing};
 pub use view_mesh::{MakesTriangles, Origin, Remesher, ViewMesh};
 
 #[cfg(feature = "gpu")]

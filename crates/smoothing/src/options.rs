@@ -20,6 +20,17 @@ silhouette_core::option_choice! {
     }
 }
 
+silhouette_core::option_choice! {
+    /// What a drawn view keeps of the invisible parts of silhouette triangles. Triangles that are written or handed out always have
+    /// both parts.
+    pub enum Invisible {
+        /// What faces the viewer, of a closed mesh that no plane cuts and no eye is in; of any other mesh everything.
+        LeftOut = "left-out",
+        /// Everything: the surface is closed where the mesh is.
+        Kept = "kept",
+    }
+}
+
 silhouette_core::method_options! {
     /// Options of [`Smoothing`](crate::Smoothing).
     pub struct SmoothingOptions {
@@ -43,6 +54,8 @@ silhouette_core::method_options! {
         pub sampling: Sampling = choice("sampling"),
         /// The tangent of a feature polyline at a vertex.
         pub tangents: Tangents = choice("tangents"),
+        /// What a drawn view keeps of the invisible parts of silhouette triangles.
+        pub invisible: Invisible = choice("invisible"),
         /// What makes the triangles of a drawn view.
         pub path: Path = choice("path", sweep ["gpu", "cpu"]),
     }

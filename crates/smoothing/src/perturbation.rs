@@ -135,8 +135,8 @@ impl Perturber {
         }
     }
 
-    /// Where vertices are moved to; those that stay are left out. O(P) for P pairs of a vertex and a plane.
-    pub fn moved(&mut self, mesh: &ShadingMesh) -> &[(u32, DVec3)] {
+    /// Finds where vertices are moved to. O(P) for P pairs of a vertex and a plane.
+    pub fn find(&mut self, mesh: &ShadingMesh) {
         self.moved.clear();
         for &vertex in &self.touched {
             let position = mesh.mesh().positions()[vertex as usize].as_dvec3();
@@ -164,6 +164,10 @@ impl Perturber {
                 self.moved.push((vertex, position + length * direction));
             }
         }
+    }
+
+    /// Where vertices are moved to, as last found; those that stay are left out.
+    pub fn moved(&self) -> &[(u32, DVec3)] {
         &self.moved
     }
 
@@ -232,7 +236,8 @@ mod tests {
             })
             .collect();
         planes.iter().for_each(|&plane| perturber.push(FaceId::new(0), plane));
-        let moved = perturber.moved(&mesh).iter().find(|(at, _)| *at == vertex).map_or(position, |(_, to)| *to);
+        perturber.find(&mesh);
+        let moved = perturber.moved().iter().find(|(at, _)| *at == vertex).map_or(position, |(_, to)| *to);
         (position, planes, moved)
     }
 
@@ -263,7 +268,8 @@ mod tests {
         let mut perturber = Perturber::new(&mesh, Perturbation::Lowered);
         let far = BlockingPlane { middle: DVec3::splat(-50.0), normal: DVec3::X, height: 100.0 };
         perturber.push(FaceId::new(3), far);
-        let moved = perturber.moved(&mesh);
+        perturber.find(&mesh);
+        let moved = perturber.moved();
         assert!(moved.len() > 6, "a face and what its edges lead to");
         for &(vertex, to) in moved {
             let from: Vec3 = mesh.mesh().positions()[vertex as usize];

@@ -11,13 +11,15 @@
 //! All faces at a side share its points, so that a closed mesh stays closed for whatever signs its vertices have.
 //!
 //! Departure: the paper triangulates the visible part of a silhouette triangle. Here the invisible part is kept too: it closes
-//! the mesh, and no crack can open where signs of vertices and the image disagree.
+//! the mesh, and no crack can open where signs of vertices and the image disagree. When an image is drawn, those of its triangles
+//! that are seen from behind may be left out ([`Curves::left_out_from`]). A ray from outside of a closed surface to the outside
+//! passes as many triangles from the front as from behind; so where it passes any, it passes one that is kept.
 
+use crate::eye::Eye;
 use crate::feature_samples::FeatureSamples;
 use crate::feature_segments::FeatureSegments;
 use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_segments::{SilhouetteSegment, SilhouetteSegments};
-use crate::silhouette_triangles::SilhouetteTriangle;
 use crate::view_mesh::{Origin, ViewMesh};
 use silhouette_core::FaceId;
 use silhouette_core::glam::{DVec3, Vec3};
@@ -35,6 +37,10 @@ pub struct Curves<'a> {
     pub silhouette: &'a SilhouetteSegments,
     /// Number of straight pieces of each silhouette segment.
     pub counts: &'a [u32],
+    /// Vertices that are moved, and where they are put.
+    pub moved: &'a [(u32, DVec3)],
+    /// The eye from which triangles of invisible parts that are seen from behind are left out, if any are.
+    pub left_out_from: Option<Eye>,
 }
 
 /// Re-meshes view after view; scratch memory.
@@ -46,6 +52,8 @@ pub struct LocalRemeshing {
     /// Samples of the silhouette segment, both ends included.
     chain: Vec<u32>,
     polygon: Vec<u32>,
+    /// Vertices that the last view has moved.
+    moved: Vec<u32>,
 }
 
 const NONE: u32 = u32::MAX;
@@ -72,25 +80,55 @@ impl Side {
 }
 
 impl LocalRemeshing {
-    /// Replaces `out` by the triangles of a view. The first vertices are the shading vertices, in their order. O(F + samples).
+    /// Replaces `out`, which has to be empty or as the last call left it, by the triangles of a view. The first vertices are the
+    /// shading vertices, in their order. O(F + samples).
     pub fn remesh(&mut self, curves: &Curves<'_>, out: &mut ViewMesh) {
         let mesh = curves.mesh;
-        out.clear();
-        out.positions.extend_from_slice(mesh.positions());
-        out.normals.extend_from_slice(mesh.normals());
-        out.origins.extend_from_slice(mesh.origins());
+        self.begin_with_shading_vertices(curves, out);
         self.vertex_of_point.clear();
         self.vertex_of_point.resize(curves.silhouette.points().len(), NONE);
         let mut segments = curves.silhouette.segments().iter().zip(curves.counts).peekable();
-        for (index, &corners) in mesh.triangles().iter().enumerate() {
-            let face = FaceId::from_usize(index);
-            if let Some((segment, &count)) = segments.next_if(|(segment, _)| segment.triangle.face == face) {
-                self.silhouette_triangle(curves, segment, count, out);
-            } else if mesh.has_feature(face) {
-                self.feature_triangle(curves, face, out);
-            } else {
-                out.triangles.push(corners);
+        let mut bent = mesh.feature_faces().iter().copied().peekable();
+        let mut done = 0;
+        loop {
+            let crossed = segments.peek().map(|(segment, _)| segment.triangle.face);
+            // A face that is both is re-meshed once.
+            let Some(face) = crossed.into_iter().chain(bent.peek().copied()).min() else { break };
+            out.triangles.extend_from_slice(&mesh.triangles()[done..face.index()]);
+            done = face.index() + 1;
+            bent.next_if_eq(&face);
+            match segments.next_if(|_| crossed == Some(face)) {
+                Some((segment, &count)) => self.silhouette_triangle(curves, segment, count, out),
+                None => self.feature_triangle(curves, face, out),
             }
+        }
+        out.triangles.extend_from_slice(&mesh.triangles()[done..]);
+    }
+
+    /// Leaves the shading vertices in `out`, those that moved where they are put. In what the last call left, only those that it
+    /// moved differ from the mesh.
+    fn begin_with_shading_vertices(&mut self, curves: &Curves<'_>, out: &mut ViewMesh) {
+        let mesh = curves.mesh;
+        let count = mesh.positions().len();
+        out.triangles.clear();
+        if out.positions.len() < count {
+            out.clear();
+            out.positions.extend_from_slice(mesh.positions());
+            out.normals.extend_from_slice(mesh.normals());
+            out.origins.extend_from_slice(mesh.origins());
+        } else {
+            out.positions.truncate(count);
+            out.normals.truncate(count);
+            out.origins.truncate(count);
+            for &vertex in &self.moved {
+                let range = mesh.shading_vertices(vertex);
+                out.positions[range.clone()].copy_from_slice(&mesh.positions()[range]);
+            }
+        }
+        self.moved.clear();
+        for &(vertex, to) in curves.moved {
+            out.positions[mesh.shading_vertices(vertex)].fill(to.as_vec3());
+            self.moved.push(vertex);
         }
     }
 
@@ -130,21 +168,36 @@ impl LocalRemeshing {
         let slots = [0, 1, 2].map(|i| ((triangle.lone + i) % 3) as usize);
         let corners = curves.mesh.triangles()[triangle.face.index()];
         let [lone, next, previous] = slots.map(|slot| corners[slot]);
+        let sides = [slots[0], slots[2]].map(|slot| HalfEdgeId::of(triangle.face, slot as u32));
+        let parameters = segment.points.map(|point| curves.silhouette.points()[point as usize].u);
+        let weights = [0, 1].map(|i| side_weights(curves.mesh, sides[i], parameters[i]));
+        // Which of both parts is invisible, if triangles of it may be left out.
+        let left_out = |of_lone: bool| curves.left_out_from.filter(|_| triangle.lone_is_visible != of_lone);
+        let is_turned = curves.mesh.is_turned()[triangle.face.index()];
+        let begin = out.triangles.len();
+        if !curves.mesh.has_feature(triangle.face) {
+            let ends = [0, 1].map(|i| self.vertex_of_point(curves, sides[i], segment.points[i], out));
+            self.sample_segment(curves, segment, count, ends, weights, out);
+            fan_to_lone(lone, &self.chain, out);
+            leave_out_behind(left_out(true), is_turned, begin, out);
+            let begin = out.triangles.len();
+            strip_to_pair([next, previous], &self.chain, out);
+            leave_out_behind(left_out(false), is_turned, begin, out);
+            return;
+        }
         let points = [Some(segment.points[0]), None, Some(segment.points[1])];
         for (slot, point) in slots.into_iter().zip(points) {
             self.bend_side(curves, HalfEdgeId::of(triangle.face, slot as u32), point, out);
         }
-        let sides = [slots[0], slots[2]].map(|slot| HalfEdgeId::of(triangle.face, slot as u32));
-        let parameters = segment.points.map(|point| curves.silhouette.points()[point as usize].u);
-        let weights = [0, 1].map(|i| side_weights(curves.mesh, sides[i], parameters[i]));
-        self.sample_segment(curves, segment, count, weights, out);
-        let ends = [0, 1].map(|i| (if i == 0 { self.chain[0] } else { self.chain[self.chain.len() - 1] }, weights[i]));
+        let ends = [slots[0], slots[2]].map(|slot| self.sides[slot].after_silhouette()[0]);
+        self.sample_segment(curves, segment, count, ends, weights, out);
+        let ends = [0, 1].map(|i| (ends[i], weights[i]));
         let corner = |i: usize| (corners[slots[i]], Vec3::AXES[slots[i]]);
         let [leaving, opposite, returning] = slots.map(|slot| &self.sides[slot]);
         let (chain, polygon) = (&self.chain, &mut self.polygon);
 
         if leaving.silhouette_at == 0 && returning.after_silhouette().len() == 1 {
-            chain.windows(2).for_each(|pair| out.push_triangle([lone, pair[0], pair[1]]));
+            fan_to_lone(lone, chain, out);
         } else {
             polygon.clear();
             polygon.push(lone);
@@ -153,13 +206,12 @@ impl LocalRemeshing {
             polygon.extend_from_slice(returning.after_silhouette());
             fan(push_middle(triangle.face, &[corner(0), ends[0], ends[1]], out), polygon, out);
         }
+        leave_out_behind(left_out(true), is_turned, begin, out);
 
+        let begin = out.triangles.len();
         let is_straight = leaving.after_silhouette().len() == 1 && opposite.vertices.is_empty();
         if is_straight && returning.silhouette_at == 0 {
-            let half = chain.len() / 2;
-            chain[..=half].windows(2).for_each(|pair| out.push_triangle([next, pair[1], pair[0]]));
-            out.push_triangle([next, previous, chain[half]]);
-            chain[half..].windows(2).for_each(|pair| out.push_triangle([previous, pair[1], pair[0]]));
+            strip_to_pair([next, previous], chain, out);
         } else {
             polygon.clear();
             polygon.extend_from_slice(leaving.after_silhouette());
@@ -170,6 +222,27 @@ impl LocalRemeshing {
             polygon.extend(chain[1..chain.len() - 1].iter().rev());
             fan(push_middle(triangle.face, &[ends[0], corner(1), corner(2), ends[1]], out), polygon, out);
         }
+        leave_out_behind(left_out(false), is_turned, begin, out);
+    }
+
+    /// The vertex of a silhouette point on a side that is no feature edge: one for all faces there.
+    fn vertex_of_point(&mut self, curves: &Curves<'_>, half_edge: HalfEdgeId, index: u32, out: &mut ViewMesh) -> u32 {
+        let known = &mut self.vertex_of_point[index as usize];
+        if *known == NONE {
+            let mesh = curves.mesh;
+            let point = &curves.silhouette.points()[index as usize];
+            let corners = mesh.triangles()[half_edge.face().index()];
+            let share = if runs_forward(mesh, half_edge) { point.u } else { 1.0 - point.u };
+            *known = match share {
+                0.0 => corners[half_edge.slot() as usize],
+                1.0 => corners[half_edge.next_in_face().slot() as usize],
+                _ => {
+                    let weights = side_weights(mesh, half_edge, point.u).to_array();
+                    out.push_vertex(point.position, point.normal, Origin { face: half_edge.face(), weights })
+                }
+            };
+        }
+        *known
     }
 
     /// Finds the vertices inside a side, given the index of the silhouette point on it, if there is one.
@@ -186,16 +259,8 @@ impl LocalRemeshing {
         let on_side = |u: f64| Origin { face: half_edge.face(), weights: side_weights(mesh, half_edge, u).to_array() };
         let Some(feature) = curves.features.index_of(mesh.topology().edge_of(half_edge)) else {
             if let Some(index) = point {
-                let known = &mut self.vertex_of_point[index as usize];
-                if *known == NONE {
-                    let point = &curves.silhouette.points()[index as usize];
-                    *known = match share(point.u) {
-                        0.0 => corners[0],
-                        1.0 => corners[1],
-                        _ => out.push_vertex(point.position, point.normal, on_side(point.u)),
-                    };
-                }
-                side.vertices.push(*known);
+                let vertex = self.vertex_of_point(curves, half_edge, index, out);
+                self.sides[slots[0]].vertices.push(vertex);
             }
             return;
         };
@@ -228,17 +293,18 @@ impl LocalRemeshing {
         }
     }
 
-    /// The vertices of a silhouette segment, from its first point to its second, whose barycentric coordinates are `weights`.
+    /// The vertices of a silhouette segment, from that of its first point to that of its second, whose barycentric coordinates are
+    /// `weights`.
     fn sample_segment(
         &mut self,
         curves: &Curves<'_>,
         segment: &SilhouetteSegment,
         count: u32,
+        ends: [u32; 2],
         weights: [Vec3; 2],
         out: &mut ViewMesh,
     ) {
-        let SilhouetteTriangle { face, lone, .. } = segment.triangle;
-        let ends = [lone, (lone + 2) % 3].map(|slot| self.sides[slot as usize].after_silhouette()[0]);
+        let face = segment.triangle.face;
         let [a, b] = segment.points.map(|point| &curves.silhouette.points()[point as usize]);
         self.chain.clear();
         self.chain.push(ends[0]);
@@ -257,7 +323,37 @@ impl LocalRemeshing {
             + size_of_val(self.vertex_of_point.as_slice())
             + size_of_val(self.chain.as_slice())
             + size_of_val(self.polygon.as_slice())
+            + size_of_val(self.moved.as_slice())
     }
+}
+
+/// Removes those of the triangles from `begin` on that an eye sees from behind; `is_turned`: they are wound inside out.
+fn leave_out_behind(eye: Option<Eye>, is_turned: bool, begin: usize, out: &mut ViewMesh) {
+    let Some(eye) = eye else { return };
+    let mut kept = begin;
+    for at in begin..out.triangles.len() {
+        let triangle = out.triangles[at];
+        let [a, b, c] = triangle.map(|vertex| out.positions[vertex as usize].as_dvec3());
+        let facing = (b - a).cross(c - a).dot(eye.toward(a));
+        let stays = if is_turned { facing <= 0.0 } else { facing >= 0.0 };
+        // Half of them stay, in no order: a branch would be guessed wrong.
+        out.triangles[kept] = triangle;
+        kept += usize::from(stays);
+    }
+    out.triangles.truncate(kept);
+}
+
+/// Triangles from the lone corner to the vertices of the segment.
+fn fan_to_lone(lone: u32, chain: &[u32], out: &mut ViewMesh) {
+    chain.windows(2).for_each(|pair| out.push_triangle([lone, pair[0], pair[1]]));
+}
+
+/// Triangles between the side opposite to the lone corner and the vertices of the segment.
+fn strip_to_pair([next, previous]: [u32; 2], chain: &[u32], out: &mut ViewMesh) {
+    let half = chain.len() / 2;
+    chain[..=half].windows(2).for_each(|pair| out.push_triangle([next, pair[1], pair[0]]));
+    out.push_triangle([next, previous, chain[half]]);
+    chain[half..].windows(2).for_each(|pair| out.push_triangle([previous, pair[1], pair[0]]));
 }
 
 /// Triangles from one vertex of a polygon to the sides that do not touch it.

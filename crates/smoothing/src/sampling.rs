@@ -15,7 +15,7 @@
 
 use crate::eye::SmoothingView;
 use crate::hermite::Hermite;
-use silhouette_core::glam::{DVec3, DVec4, Vec4Swizzles as _};
+use silhouette_core::glam::{DVec3, Vec3Swizzles as _};
 
 /// Most segments of a curve.
 pub const MAX_SEGMENTS: u32 = 64;
@@ -42,10 +42,12 @@ pub fn segments(curve: &Hermite, normals: [DVec3; 2], view: &SmoothingView, tole
 }
 
 fn guaranteed(curve: &Hermite, view: &SmoothingView, tolerance_px: f64) -> f64 {
-    let [a, b, c, d] = curve.control().map(|point| view.to_pixel() * point.extend(1.0));
-    let distances = [a.w, b.w, c.w, d.w];
-    let (nearest, farthest) =
-        distances.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &w| (low.min(w), high.max(w)));
+    let ends = curve.ends.map(|end| view.homogeneous(end));
+    let [leaving, arriving] = curve.tangents.map(|tangent| view.homogeneous_way(tangent / 3.0));
+    let (b, c) = (ends[0] + leaving, ends[1] - arriving);
+    // The third part is w.
+    let nearest = ends[0].z.min(b.z).min(c.z).min(ends[1].z);
+    let farthest = ends[0].z.max(b.z).max(c.z).max(ends[1].z);
     if farthest <= 0.0 {
         return 1.0;
     }
@@ -53,12 +55,10 @@ fn guaranteed(curve: &Hermite, view: &SmoothingView, tolerance_px: f64) -> f64 {
         return f64::NAN;
     }
     // Of a second difference, the part that w has as well moves points along the line of sight.
-    let bend = |before: DVec4, at: DVec4, after: DVec4| {
-        let difference = before - 2.0 * at + after;
-        (difference.xy() - difference.w / at.w * at.xy()).length() / nearest
-    };
-    let bend = bend(a, b, c).max(bend(b, c, d));
-    (0.75 * bend / tolerance_px).sqrt() * (farthest / nearest)
+    let bend_squared =
+        |at: DVec3, difference: DVec3| (difference.xy() - difference.z / at.z * at.xy()).length_squared();
+    let bend = bend_squared(b, c - b - leaving).max(bend_squared(c, arriving - (c - b))).sqrt();
+    (0.75 * bend / (nearest * tolerance_px)).sqrt() * (farthest / nearest)
 }
 
 /// Eq. 8, its n read as the number of segments.

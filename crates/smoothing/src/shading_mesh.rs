@@ -22,6 +22,8 @@ pub struct ShadingMesh {
     normals: Vec<Vec3>,
     origins: Vec<Origin>,
     has_feature: Vec<bool>,
+    feature_faces: Vec<FaceId>,
+    is_closed: bool,
     is_turned: Vec<bool>,
     /// Shading vertices of vertex v: `first[v]..first[v + 1]`.
     first: Vec<u32>,
@@ -57,12 +59,28 @@ impl ShadingMesh {
             let half_edge = HalfEdgeId::of(FaceId::from_usize(face), slot);
             features[topology.edge_of(half_edge)]
         };
-        let has_feature = (0..mesh.face_count()).map(|face| (0..3).any(|slot| feature_on(face, slot))).collect();
+        let has_feature: Vec<bool> =
+            (0..mesh.face_count()).map(|face| (0..3).any(|slot| feature_on(face, slot))).collect();
+        let feature_faces = (0..mesh.face_count()).filter(|&face| has_feature[face]).map(FaceId::from_usize).collect();
+        let is_closed = topology.edges().iter().all(|(edge, _)| topology.consistent_pair(&mesh, edge).is_some());
         let mut first = vec![0; mesh.vertex_count() + 1];
         groups.vertex.iter().for_each(|&vertex| first[vertex as usize + 1] += 1);
         (0..mesh.vertex_count()).for_each(|vertex| first[vertex + 1] += first[vertex]);
         let positions = groups.vertex.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
-        Ok(Self { mesh, topology, features, groups, positions, normals, origins, has_feature, is_turned, first })
+        Ok(Self {
+            mesh,
+            topology,
+            features,
+            groups,
+            positions,
+            normals,
+            origins,
+            has_feature,
+            feature_faces,
+            is_closed,
+            is_turned,
+            first,
+        })
     }
 
     /// The mesh itself.
@@ -110,6 +128,16 @@ impl ShadingMesh {
         self.has_feature[face.index()]
     }
 
+    /// The faces of which a side is a feature edge, ascending.
+    pub fn feature_faces(&self) -> &[FaceId] {
+        &self.feature_faces
+    }
+
+    /// Whether every edge joins two faces that are wound consistently.
+    pub fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
     /// Whether each face is wound inside out, so that shading normals take it as turned.
     pub fn is_turned(&self) -> &[bool] {
         &self.is_turned
@@ -132,6 +160,7 @@ impl ShadingMesh {
             + size_of_val(self.normals.as_slice())
             + size_of_val(self.origins.as_slice())
             + self.has_feature.len()
+            + size_of_val(self.feature_faces.as_slice())
             + self.is_turned.len()
             + size_of_val(self.first.as_slice())
     }

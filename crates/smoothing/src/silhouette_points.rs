@@ -95,7 +95,7 @@ pub fn silhouette_point(
     }
     let position = bridge.point(u);
     let mut normal = normals[0].lerp(normals[1], u);
-    if normal.length() < LEAST_NORMAL {
+    if normal.length_squared() < LEAST_NORMAL * LEAST_NORMAL {
         normal = eye.toward(position).cross(positions[1] - positions[0]);
     }
     SilhouettePoint { u, position, normal: normal.normalize_or_zero() }
@@ -131,7 +131,7 @@ fn refined(mut u: f64, begins_visible: bool, normals: [DVec3; 2], bridge: &impl 
     for _ in 0..steps {
         let (toward, normal) = (eye.toward(bridge.point(u)), normals[0] + u * turn);
         let value = toward.dot(normal);
-        if value.abs() <= CONVERGED * toward.length() {
+        if value * value <= CONVERGED * CONVERGED * toward.length_squared() {
             break;
         }
         if (value > 0.0) == begins_visible {

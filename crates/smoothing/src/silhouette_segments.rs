@@ -50,23 +50,29 @@ pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> 
         let direction = ends[i].normal.cross(views[i]);
         if direction.dot(across) < 0.0 { -direction } else { direction }
     });
-    let squares = directions.map(|direction| direction.dot(across).powi(2) / direction.length_squared());
+    let flat = Hermite::along([DVec3::ZERO, across], directions);
+    let tangents = flat.tangents.map(|tangent| tangent + depth);
+    // Squared cosines over the squares of both lengths: most are of small angles, and need no division.
+    let squares = directions.map(|direction| [direction.dot(across).powi(2), direction.length_squared()]);
+    let most = ALL_IN_IMAGE * across.length_squared();
+    if squares.iter().all(|[dot, length]| *dot >= most * length) {
+        return Hermite { ends: positions, tangents };
+    }
+    let squares = squares.map(|[dot, length]| dot / length);
     // The minimum of two numbers leaves out one that is none: an end without a direction has no cosine.
     let least = if squares.iter().any(|square| square.is_nan()) { f64::NAN } else { squares[0].min(squares[1]) };
     let share = share_in_image((least / across.length_squared()).sqrt());
-    let flat = Hermite::along([DVec3::ZERO, across], directions);
-    let mut tangents = flat.tangents.map(|tangent| tangent + depth);
-    if share < 1.0 {
-        let in_space = in_space();
-        tangents = [0, 1].map(|i| in_space.tangents[i].lerp(tangents[i], share));
-    }
-    Hermite { ends: positions, tangents }
+    let in_space = in_space();
+    Hermite { ends: positions, tangents: [0, 1].map(|i| in_space.tangents[i].lerp(tangents[i], share)) }
 }
+
+/// The squared cosine of 30 degrees, from which on the interpolation in the image counts for all.
+const ALL_IN_IMAGE: f64 = 0.75;
 
 /// How much the interpolation in the image counts, given the least cosine between a tangent and the chord there: all of it up to
 /// 30 degrees, nothing of it from 60 degrees on, where the curve may have a cusp and its direction no certain sign.
 fn share_in_image(cosine: f64) -> f64 {
-    let [least, most] = [0.5, 0.75_f64.sqrt()];
+    let [least, most] = [0.5, ALL_IN_IMAGE.sqrt()];
     // No direction at all has no cosine.
     let t = if cosine.is_nan() { 0.0 } else { ((cosine - least) / (most - least)).clamp(0.0, 1.0) };
     t * t * (3.0 - 2.0 * t)

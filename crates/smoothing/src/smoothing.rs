@@ -6,7 +6,7 @@ use crate::eye::{Eye, SmoothingView};
 use crate::feature_polylines::{FeaturePolyline, feature_polylines};
 use crate::feature_samples::FeatureSamples;
 use crate::feature_segments::FeatureSegments;
-use crate::options::SmoothingOptions;
+use crate::options::{Invisible, SmoothingOptions};
 use crate::perturbation::{Perturbation, Perturber};
 use crate::published::PUBLISHED;
 use crate::remeshing::{Curves, LocalRemeshing};
@@ -15,7 +15,8 @@ use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_segments::SilhouetteSegments;
 use crate::silhouette_triangles::{SilhouetteTriangle, silhouette_triangles};
 use crate::vertex_visibility::VertexVisibility;
-use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh};
+use crate::view_mesh::{MakesTriangles, Remesher, ViewMesh, reach};
+use silhouette_core::glam::DVec3;
 use silhouette_core::method::{ExtractionStats, PrepareError, Source};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::{
@@ -68,7 +69,7 @@ impl Method for Smoothing {
             origin: "Wang et al. 2008, corrected",
             yields: "smooth curves; a filled image, re-meshed where the silhouette runs",
             accuracy: "no: a sphere of 80 faces is off by 0.0004 radii, with about 150 triangles",
-            cost: "O(V + F) to classify vertices and copy faces, O(S) for curves; one thread, 230 to 450 ns per \
+            cost: "O(V + F) to classify vertices and copy faces, O(S) for curves; one thread, 210 to 490 ns per \
                    silhouette triangle",
             memory: "150 to 220 bytes per face",
             choose_when: "a coarse mesh should have a smooth outline, for one view at a time",
@@ -146,6 +147,7 @@ impl Smoothing {
     /// read by [`silhouette`](Self::silhouette).
     pub fn find_silhouette(&mut self, eye: Eye) -> ExtractionStats {
         let Fixed { options, mesh, features, .. } = &*self.fixed;
+        self.perturber.clear();
         let tested = self.visibility.classify(mesh, eye);
         silhouette_triangles(mesh.triangles(), self.visibility.is_visible(), &mut self.triangles);
         self.silhouette.find(mesh, features, &self.triangles, eye, options.newton_steps, options.segments);
@@ -174,21 +176,13 @@ impl Smoothing {
         self.samples.find(mesh, features, &self.silhouette, is_visible, view, options.tolerance_px);
     }
 
-    /// Local re-meshing: replaces `out` by the triangles of the view last sampled.
-    pub fn local_remeshing(&mut self, out: &mut ViewMesh) {
-        let Fixed { mesh, features, .. } = &*self.fixed;
-        let curves =
-            Curves { mesh, features, samples: &self.samples, silhouette: &self.silhouette, counts: &self.counts };
-        self.remeshing.remesh(&curves, out);
-    }
-
-    /// Moves the vertices of `out` that would hide concave silhouette segments. Yields how many segments are concave.
-    pub fn perturb(&mut self, eye: Eye, out: &mut ViewMesh) -> usize {
+    /// Finds the vertices that would hide concave silhouette segments, and where [`local_remeshing`](Self::local_remeshing) puts
+    /// them. Yields how many segments are concave.
+    pub fn perturb(&mut self, eye: Eye) -> usize {
         let Fixed { options, mesh, .. } = &*self.fixed;
         if options.perturbation == Perturbation::Off {
             return 0;
         }
-        self.perturber.clear();
         let mut concave = 0;
         for segment in self.silhouette.segments() {
             let ends = segment.points.map(|point| &self.silhouette.points()[point as usize]);
@@ -199,19 +193,67 @@ impl Smoothing {
                 concave += 1;
             }
         }
-        for &(vertex, to) in self.perturber.moved(mesh) {
-            out.positions[mesh.shading_vertices(vertex)].fill(to.as_vec3());
-        }
+        self.perturber.find(mesh);
         concave
+    }
+
+    /// Local re-meshing: replaces `out`, which has to be empty or as the last call left it, by the triangles of the view last
+    /// sampled, with the vertices that were perturbed. With an eye, triangles of invisible parts that it sees from behind are left
+    /// out; see [`remeshing`](crate::remeshing) for when that shows.
+    pub fn local_remeshing(&mut self, left_out_from: Option<Eye>, out: &mut ViewMesh) {
+        let Fixed { mesh, features, .. } = &*self.fixed;
+        let curves = Curves {
+            mesh,
+            features,
+            samples: &self.samples,
+            silhouette: &self.silhouette,
+            counts: &self.counts,
+            moved: self.perturber.moved(),
+            left_out_from,
+        };
+        self.remeshing.remesh(&curves, out);
+    }
+
+    /// Makes the triangles that are drawn for a view, which are fewer than those of [`Remesher::remesh`] by the option `invisible`.
+    pub fn drawn(&self) -> DrawnSmoothing {
+        let mesh = &self.fixed.mesh;
+        let reach = reach(mesh.mesh()).max(self.fixed.features.reach());
+        let ball = mesh.mesh().bounds().map(|bounds| (bounds.center, bounds.radius + reach));
+        DrawnSmoothing { ball: ball.filter(|_| self.may_leave_out()), smoothing: self.clone() }
+    }
+
+    /// Whether there are views in which parts may be left out.
+    pub(crate) fn may_leave_out(&self) -> bool {
+        self.fixed.options.invisible == Invisible::LeftOut && self.fixed.mesh.is_closed()
+    }
+
+    fn remesh_leaving_out(&mut self, view: &SmoothingView, left_out_from: Option<Eye>, out: &mut ViewMesh) {
+        self.find_silhouette(view.eye());
+        self.sample(view);
+        self.perturb(view.eye());
+        self.local_remeshing(left_out_from, out);
     }
 }
 
 impl Remesher for Smoothing {
     fn remesh(&mut self, view: &SmoothingView, out: &mut ViewMesh) -> bool {
-        self.find_silhouette(view.eye());
-        self.sample(view);
-        self.local_remeshing(out);
-        self.perturb(view.eye(), out);
+        self.remesh_leaving_out(view, None, out);
+        true
+    }
+}
+
+/// Makes the triangles of [`Smoothing`] that are drawn; see [`Smoothing::drawn`].
+#[derive(Debug, Clone)]
+pub struct DrawnSmoothing {
+    smoothing: Smoothing,
+    /// What holds the surface in any view; `None` where nothing is ever left out.
+    ball: Option<(DVec3, f64)>,
+}
+
+impl Remesher for DrawnSmoothing {
+    fn remesh(&mut self, view: &SmoothingView, out: &mut ViewMesh) -> bool {
+        let is_whole = self.ball.is_some_and(|(center, radius)| view.holds(center, radius));
+        self.smoothing.remesh_leaving_out(view, is_whole.then(|| view.eye()), out);
         true
     }
 }

@@ -28,10 +28,21 @@ pub struct ViewMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// How far outside of a mesh a surface through its vertices may reach: the length of its longest edge, in its own units. No
+/// control point of a side or a patch of this crate is farther from the mesh. O(F).
+pub fn reach(mesh: &TriangleMesh) -> f64 {
+    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+    let length = |ends: [u32; 2]| {
+        let [from, to] = ends.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
+        from.distance(to)
+    };
+    mesh.triangles().iter().flat_map(sides).map(length).fold(0.0, f64::max)
+}
+
 /// Makes the triangles of one view after another.
 pub trait Remesher: Send {
-    /// Replaces `out`, which has to be empty or as the last call of this remesher left it, by the triangles of a view, and says whether they may differ from those of the last call. Once `out` and
-    /// the scratch memory have grown, a call allocates nothing.
+    /// Replaces `out`, which has to be empty or as the last call of this remesher left it, by the triangles of a view, and says
+    /// whether they may differ from those of the last call. Once `out` and the scratch memory have grown, a call allocates nothing.
     fn remesh(&mut self, view: &crate::SmoothingView, out: &mut ViewMesh) -> bool;
 }
 

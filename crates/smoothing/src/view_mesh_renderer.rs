@@ -2,7 +2,6 @@
 
 use crate::eye::{Eye, SmoothingView};
 use crate::view_mesh::{Remesher, ViewMesh};
-use silhouette_core::TriangleMesh;
 use silhouette_core::glam::Vec3;
 use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange};
@@ -79,17 +78,6 @@ impl ViewMeshPipelines {
     }
 }
 
-/// How far outside of a mesh a surface through its vertices may reach: the length of its longest edge, in its own units. No
-/// control point of a side or a patch of this crate is farther from the mesh. O(F).
-pub fn reach(mesh: &TriangleMesh) -> f64 {
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
-    let length = |ends: [u32; 2]| {
-        let [from, to] = ends.map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
-        from.distance(to)
-    };
-    mesh.triangles().iter().flat_map(sides).map(length).fold(0.0, f64::max)
-}
-
 /// The depths of `mesh` and of all that reaches at most `reach` beyond its bounds.
 pub(crate) fn widened(camera: &Camera, bounds: &Bounds, reach: f64, mesh: ClipRange) -> ClipRange {
     let widened = camera.clip_range(&Bounds { radius: bounds.radius + reach, ..*bounds });
@@ -125,7 +113,7 @@ struct Buffers {
 
 impl<R: Remesher> ViewMeshRenderer<R> {
     /// A renderer of one instance of a mesh, which `remesher` was made for. Its triangles lie at most `reach` outside of the
-    /// mesh's bounds, in the mesh's own units: [`reach()`], unless they may reach farther.
+    /// mesh's bounds, in the mesh's own units: [`reach`], unless they may reach farther.
     pub fn new(
         device: &wgpu::Device,
         pipelines: &Arc<ViewMeshPipelines>,
@@ -254,6 +242,8 @@ mod tests {
     use crate::shading_mesh::ShadingMesh;
     use crate::shading_normals::NormalWeights;
     use crate::view_mesh::Origin;
+    use crate::view_mesh::reach;
+    use silhouette_core::TriangleMesh;
     use silhouette_core::glam::{DMat4, DQuat, DVec3};
     use silhouette_core::view::{DepthDirection, Framing};
     use silhouette_core::{FaceId, NoProgress, PreparedMesh};

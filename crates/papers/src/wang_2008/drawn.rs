@@ -67,7 +67,7 @@ impl Make {
         Ok(match self {
             Self::Pn => Box::new(method::<PnTriangles>(subject, words)?.remesher()),
             Self::BoundaryCurve => Box::new(method::<BoundaryCurve>(subject, words)?.remesher()),
-            Self::Smoothing => Box::new(method::<Smoothing>(subject, words)?),
+            Self::Smoothing => Box::new(method::<Smoothing>(subject, words)?.drawn()),
         })
     }
 

@@ -35,7 +35,8 @@ pub struct Growth {
 pub fn measure(subject: &Subject, window: &Window, progress: &dyn Progress) -> Result<Vec<Growth>, Cause> {
     let mut all = Vec::new();
     for tolerance_px in TOLERANCES_PX {
-        let mut smoothing = Smoothing::new(&subject.mesh, SmoothingOptions { tolerance_px, ..subject.options() })?;
+        let options = SmoothingOptions { tolerance_px, ..subject.options() };
+        let mut smoothing = Smoothing::new(&subject.mesh, options)?.drawn();
         let mut out = ViewMesh::default();
         for kind in KINDS {
             progress.check()?;

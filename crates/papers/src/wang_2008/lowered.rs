@@ -52,9 +52,9 @@ pub fn measure(
         let view = SmoothingView::from_camera(&window.camera(direction, Kind::Perspective)?);
         smoothing.find_silhouette(view.eye());
         smoothing.sample(&view);
-        smoothing.local_remeshing(&mut out);
         let planes = planes(&smoothing, &view, subject, &around);
-        smoothing.perturb(view.eye(), &mut out);
+        smoothing.perturb(view.eye());
+        smoothing.local_remeshing(None, &mut out);
         for (at, &vertex) in smoothing.shading_mesh().vertices().iter().enumerate() {
             let position = smoothing.shading_mesh().positions()[at].as_dvec3();
             let height = |plane: &BlockingPlane, point: DVec3| (point - plane.middle).dot(plane.normal);

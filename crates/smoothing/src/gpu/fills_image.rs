@@ -3,8 +3,9 @@
 use crate::gpu::pipelines::SmoothingPipelines;
 use crate::gpu::renderer::SmoothingRenderer;
 use crate::options::Path;
-use crate::smoothing::Smoothing;
-use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer, reach};
+use crate::smoothing::{DrawnSmoothing, Smoothing};
+use crate::view_mesh::reach;
+use crate::view_mesh_renderer::{ViewMeshPipelines, ViewMeshRenderer};
 use silhouette_core::view::{Camera, ClipRange};
 use silhouette_gpu::{Color, FillsImage, FrameRenderer, FrameView, MeshBuffers, RendererError, Shade, TargetFormats};
 use std::sync::Arc;
@@ -23,7 +24,7 @@ pub enum ImageRenderer {
     /// Triangles made on the GPU.
     Gpu(Box<SmoothingRenderer>),
     /// Triangles made on the CPU.
-    Cpu(Box<ViewMeshRenderer<Smoothing>>),
+    Cpu(Box<ViewMeshRenderer<DrawnSmoothing>>),
 }
 
 impl ImageRenderer {
@@ -89,7 +90,7 @@ impl FillsImage for Smoothing {
             }
             ImagePipelines::Cpu(pipelines) => {
                 let reach = reach(self.shading_mesh().mesh()).max(self.features().reach());
-                ImageRenderer::Cpu(Box::new(ViewMeshRenderer::new(device, pipelines, mesh, self.clone(), reach)))
+                ImageRenderer::Cpu(Box::new(ViewMeshRenderer::new(device, pipelines, mesh, self.drawn(), reach)))
             }
         })
     }

@@ -11,8 +11,8 @@
 //! | silhouette segments, sampling, concavity, triangles counted | `silhouette_segments.wgsl` | faces |
 //! | where each face's triangles begin | `prefix_sum.wgsl` | feature edges and faces |
 //! | samples of feature segments, placed | `feature_samples.wgsl` | feature edges |
-//! | local re-meshing | `remeshing.wgsl` | faces |
 //! | perturbation | `perturbation.wgsl` | vertices |
+//! | local re-meshing | `remeshing.wgsl` | faces |
 //!
 //! Differences from the CPU:
 //!
@@ -22,7 +22,7 @@
 //! 2. Every vertex is tested; there are no clusters.
 //! 3. There is room for a bounded number of triangles, [`Room`]. In a frame that would exceed it, each curve becomes one straight
 //!    piece.
-//! 4. Triangles with two equal corners are written, and draw nothing.
+//! 4. Triangles with two equal corners are written, and draw nothing; so are those that are left out.
 //! 5. Of a mesh whose vertices move on the device, normals and feature segments follow them. Which edges are feature edges, and
 //!    how they are chained, stays as it is at rest.
 

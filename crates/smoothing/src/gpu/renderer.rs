@@ -1,12 +1,15 @@
 //! [`SmoothingRenderer`]: records a frame's stages and its draw.
 
+use crate::SmoothingView;
 use crate::gpu::buffers::FrameBuffers;
 use crate::gpu::pipelines::SmoothingPipelines;
 use crate::gpu::room::Room;
 use crate::gpu::settings::SmoothingUniform;
 use crate::perturbation::Perturbation;
 use crate::smoothing::Smoothing;
-use crate::view_mesh_renderer::{reach, widened};
+use crate::view_mesh::reach;
+use crate::view_mesh_renderer::widened;
+use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange};
 use silhouette_gpu::kit::workgroups;
 use silhouette_gpu::{
@@ -26,6 +29,8 @@ pub struct SmoothingRenderer {
     /// `None` for a mesh without triangles.
     bound: Option<Bound>,
     perturbs: bool,
+    /// Whether there are views in which parts may be left out.
+    may_leave_out: bool,
     /// How far the surface may reach beyond the mesh at rest, over the mesh's radius.
     reach: f64,
     /// Of the view last prepared, with whether the mesh had moved.
@@ -90,6 +95,7 @@ impl SmoothingRenderer {
             pipelines: Arc::clone(pipelines),
             mesh: Arc::clone(mesh),
             bound,
+            may_leave_out: method.may_leave_out(),
             perturbs: method.options().perturbation != Perturbation::Off,
             reach: if radius > 0.0 { reach / radius } else { 0.0 },
             prepared: None,
@@ -108,7 +114,11 @@ impl FrameRenderer for SmoothingRenderer {
         surface.formats.check(view)?;
         if let Some(bound) = &self.bound {
             let frame = self.mesh.frame();
-            let settings = bound.buffers.settings.of_view(frame, view);
+            let is_whole = |bounds: Bounds| {
+                SmoothingView::from_frame(view).holds(bounds.center, bounds.radius * (1.0 + self.reach))
+            };
+            let leaves_out = self.may_leave_out && self.mesh.bounds().is_some_and(is_whole);
+            let settings = bound.buffers.settings.of_view(frame, view, leaves_out);
             bound.settings.write(queue, &CameraUniform::new(frame.to_clip(view)), &settings);
             surface.write(queue, &bound.surface, frame, view);
         }
@@ -137,11 +147,13 @@ impl FrameRenderer for SmoothingRenderer {
         dispatch(&mut pass, &stages.silhouette_segments, settings.faces);
         stages.sums.dispatch(&mut pass, &buffers.levels);
         dispatch(&mut pass, &stages.place_samples, settings.features);
-        dispatch(&mut pass, &stages.remeshing, settings.faces);
         if self.perturbs {
             pass.set_bind_group(1, bound.mesh.bind_group(), &[]);
             dispatch(&mut pass, &stages.perturbation, settings.vertices);
+            pass.set_bind_group(1, &stages.no_mesh, &[]);
+            pass.set_bind_group(3, &buffers.output_group, &[]);
         }
+        dispatch(&mut pass, &stages.remeshing, settings.faces);
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {

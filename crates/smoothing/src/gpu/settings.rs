@@ -55,7 +55,8 @@ pub(crate) struct SmoothingUniform {
     pub level_2_at: u32,
     pub total_at: u32,
     pub levels: u32,
-    pub _pad: [u32; 2],
+    pub leaves_out: u32,
+    pub _pad: u32,
 }
 
 impl SmoothingUniform {
@@ -112,8 +113,8 @@ impl SmoothingUniform {
         u64::from(self.segment_data_at) + u64::from(SEGMENT_WORDS) * u64::from(self.faces)
     }
 
-    /// The same for a view of a mesh in `frame`.
-    pub fn of_view(&self, frame: &LocalFrame, view: &FrameView) -> Self {
+    /// The same for a view of a mesh in `frame`, in which parts seen from behind are left out or not.
+    pub fn of_view(&self, frame: &LocalFrame, view: &FrameView, leaves_out: bool) -> Self {
         let eye = view.object_eye();
         let eye = if view.is_perspective() {
             frame.to_local(eye.truncate()).extend(1.0)
@@ -121,7 +122,7 @@ impl SmoothingUniform {
             eye.truncate().normalize_or_zero().as_vec3().extend(0.0)
         };
         let viewport_px = view.viewport().size_px.map(|side| side as f32);
-        Self { eye: eye.to_array(), viewport_px, ..*self }
+        Self { eye: eye.to_array(), viewport_px, leaves_out: u32::from(leaves_out), ..*self }
     }
 }
 
@@ -174,7 +175,8 @@ mod tests {
             level_1_at,
             level_2_at,
             total_at,
-            levels
+            levels,
+            leaves_out
         ];
         let size = size_of::<SmoothingUniform>();
         let mut stages = 0;

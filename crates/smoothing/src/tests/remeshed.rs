@@ -38,6 +38,7 @@ fn options_that_differ() -> [SmoothingOptions; 3] {
         normals: NormalWeights::Angle,
         segments: SegmentLaw::AsPrinted,
         tolerance_px: 0.3,
+        invisible: default.invisible,
         path: default.path,
     };
     [default, SmoothingOptions { crease_deg: 180.0, ..default }, printed]

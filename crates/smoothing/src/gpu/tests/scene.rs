@@ -6,13 +6,17 @@ use crate::gpu::{Room, SmoothingPipelines, SmoothingRenderer};
 use crate::smoothing::Smoothing;
 use crate::tests::smoothing;
 use silhouette_core::glam::{DVec3, Vec3};
-use silhouette_core::view::{Camera, Framing};
+use silhouette_core::mesh::Bounds;
+use silhouette_core::view::{Camera, DepthDirection, Framing};
 use silhouette_core::{TriangleMesh, weld};
 use silhouette_gpu::{Color, FrameRenderer, FrameView, MeshBuffers, Shade};
-use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target, view_of_mesh};
+use silhouette_render::{DEFAULT_FORMATS, Gpu, Image, Load, Target};
 use silhouette_testing::directions::spread;
 use silhouette_testing::{builtin, views};
 use std::sync::Arc;
+
+/// Of a mesh without triangles.
+const NO_BOUNDS: Bounds = Bounds { min: DVec3::ZERO, max: DVec3::ZERO, center: DVec3::ZERO, radius: 1.0 };
 
 /// Smooth shapes and shapes with features, closed and open.
 pub(super) const SHAPES: [&str; 7] = ["icosphere:1", "torus:16,10", "blob:800", "cylinder", "gear", "cube", "grid:4,4"];
@@ -84,8 +88,10 @@ impl<'a> Scene<'a> {
         Self { gpu, mesh: Arc::clone(mesh), renderer }
     }
 
+    /// With depths that hold the surface as well.
     pub fn view(&self, camera: &Camera) -> FrameView {
-        view_of_mesh(camera, &self.mesh).unwrap()
+        let range = self.renderer.clip_range(camera, camera.clip_range(&self.mesh.bounds().unwrap_or(NO_BOUNDS)));
+        FrameView::from_camera(camera, range, DepthDirection::Reversed).unwrap()
     }
 
     /// The picture of a view.

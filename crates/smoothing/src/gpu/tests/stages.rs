@@ -4,6 +4,7 @@ use super::scene::{Frame, SHAPES, Scene, cameras, method, pipelines};
 use crate::bridges::bridge;
 use crate::feature_segments::Tangents;
 use crate::gpu::tables::Tables;
+use crate::options::Invisible;
 use crate::perturbation::Perturbation;
 use crate::sampling::Sampling;
 use crate::silhouette_points::SilhouettePoint;
@@ -110,7 +111,7 @@ fn both_paths_have_the_same_points_beside_bridges() {
     let pipelines = pipelines(gpu);
     let mut sums = Differences::default();
     for name in ["icosphere:1", "torus:16,10", "blob:800"] {
-        let mut method = method(name, SmoothingOptions::default());
+        let mut method = method(name, SmoothingOptions { invisible: Invisible::Kept, ..Default::default() });
         let mut scene = Scene::new(gpu, &pipelines, &method);
         let bounds = method.shading_mesh().mesh().bounds().unwrap();
         for direction in spread(12) {
@@ -129,16 +130,17 @@ fn both_paths_have_the_same_points_beside_bridges() {
 fn both_paths_agree_stage_by_stage() {
     let Some(gpu) = gpu_or_skip("both_paths_agree_stage_by_stage") else { return };
     let pipelines = pipelines(gpu);
+    let kept = SmoothingOptions { invisible: Invisible::Kept, ..Default::default() };
     let variants = [
-        SmoothingOptions::default(),
-        SmoothingOptions { newton_steps: 0, segments: SegmentLaw::AsPrinted, ..Default::default() },
+        kept,
+        SmoothingOptions { newton_steps: 0, segments: SegmentLaw::AsPrinted, ..kept },
         SmoothingOptions {
             sampling: Sampling::AsPrinted,
             tolerance_px: 0.1,
             tangents: Tangents::AsPrinted,
             perturbation: Perturbation::AsPrinted,
             corner_deg: 180.0,
-            ..Default::default()
+            ..kept
         },
     ];
     let mut sums = Differences::default();
