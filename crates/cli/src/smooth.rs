@@ -129,7 +129,7 @@ fn triangles(prepared: &Prepared, camera: &Camera) -> ViewMesh {
 fn summary(entry: &Entry, prepared: &mut Prepared, faces: usize, view_mesh: &ViewMesh, camera: &Camera) -> String {
     let mut facts = vec![format!("{faces} triangles")];
     if entry.capabilities().triangles {
-        facts.push(format!("{} drawn", view_mesh.triangles.len()));
+        facts.push(format!("{} in their place", view_mesh.triangles.len()));
     }
     if let Some(method) = prepared.curves() {
         let mut curves = SilhouetteCurves::default();
