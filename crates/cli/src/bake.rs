@@ -13,7 +13,7 @@ use silhouette_core::{Method, MethodOptions, Progress};
 use silhouette_texture::bake::{BakeError, BakeReport};
 use silhouette_texture::method::{TextureError, bake, hull as make_hull};
 use silhouette_texture::siltex::{self, Metadata};
-use silhouette_texture::{Hull, SilhouetteTexture, Texture, TextureOptions};
+use silhouette_texture::{Hull, HullError, SilhouetteTexture, Texture, TextureOptions};
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -117,8 +117,10 @@ pub fn baked(
         Some(given) => {
             let placed = given.mesh.mesh().relative_to(mesh.origin());
             let placed = placed.map_err(|error| Failure::Input(format!("{}: {error}", given.name)))?;
-            let checked = Hull::checked(mesh, placed);
-            checked.map_err(|error| Failure::Input(format!("{}: {error}", given.name)))?
+            Hull::checked_with_progress(mesh, placed, progress).map_err(|error| match error {
+                HullError::Cancelled(cancelled) => cancelled.into(),
+                error => Failure::Input(format!("{}: {error}", given.name)),
+            })?
         }
         None => make_hull(mesh, choice.hull_vertices, progress).map_err(failed)?,
     };

@@ -20,6 +20,7 @@ mod coarsen;
 mod collapse;
 pub mod enclosure;
 mod lattice;
+mod layered;
 pub mod offset_surface;
 mod outside;
 #[cfg(feature = "simplify")]
@@ -33,7 +34,7 @@ mod touching;
 pub(crate) mod winding_number;
 
 use crate::hull::enclosure::{Enclosed, Enclosure, Offence};
-use silhouette_core::{Cancelled, TriangleMesh};
+use silhouette_core::{Cancelled, NoProgress, Progress, TriangleMesh};
 use std::sync::Arc;
 
 #[cfg(feature = "simplify")]
@@ -110,8 +111,20 @@ impl Hull {
     /// # Errors
     /// [`HullError::NotEnclosing`] names the first offence.
     pub fn checked(object: &TriangleMesh, hull: impl Into<Arc<TriangleMesh>>) -> Result<Self, HullError> {
+        Self::checked_with_progress(object, hull, &NoProgress)
+    }
+
+    /// Like [`checked`](Self::checked), but stops when `progress` asks to.
+    ///
+    /// # Errors
+    /// As [`checked`](Self::checked); [`HullError::Cancelled`] when `progress` says so.
+    pub fn checked_with_progress(
+        object: &TriangleMesh,
+        hull: impl Into<Arc<TriangleMesh>>,
+        progress: &dyn Progress,
+    ) -> Result<Self, HullError> {
         let mesh = hull.into();
-        let enclosure = Enclosed::new(object).by(&mesh);
+        let enclosure = Enclosed::with_progress(object, progress)?.by_with_progress(&mesh, progress)?;
         enclosure.first.map_or(Ok(()), Err)?;
         Ok(Self { mesh, offset: None, enclosure: Some(enclosure) })
     }

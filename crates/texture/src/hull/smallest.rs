@@ -4,7 +4,7 @@ use crate::hull::caps::capped;
 use crate::hull::coarsen::coarsened;
 use crate::hull::collapse::collapsed;
 use crate::hull::enclosure::{Enclosed, Enclosure};
-use crate::hull::offset_surface::offset_surface;
+use crate::hull::offset_surface::{OffsetError, offset_surface};
 use crate::hull::{Failure, Hull, HullError};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::origin::largest_rounding;
@@ -83,9 +83,10 @@ impl Hull {
         }
         progress.stage("hull", 0);
         progress.check()?;
-        let capped = capped(object, options.closed_holes * bounds.radius);
-        let shaping = capped.as_ref().map(MeshHierarchy::new);
-        let search = Search { object: Enclosed::new(object), bounds, vertices, most_faces, shaping, progress };
+        let capped = capped(object, options.closed_holes * bounds.radius, progress)?;
+        let shaping = capped.map(|capped| MeshHierarchy::with_progress(&capped, progress)).transpose()?;
+        let object = Enclosed::with_progress(object, progress)?;
+        let search = Search { object, bounds, vertices, most_faces, shaping, progress };
         search.run()
     }
 }
@@ -145,8 +146,11 @@ impl Search<'_> {
     fn attempt(&self, share: f64) -> Result<Result<Found, Failure>, HullError> {
         self.progress.check()?;
         let offset = share * self.bounds.radius;
-        let surface = offset_surface(self.shaping(), &self.bounds, offset, self.most_faces);
-        let Ok(surface) = surface else { return Ok(Err(Failure::Unsupported)) };
+        let surface = match offset_surface(self.shaping(), &self.bounds, offset, self.most_faces, self.progress) {
+            Ok(surface) => surface,
+            Err(OffsetError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            Err(OffsetError::TooFine(_) | OffsetError::TooFar(_)) => return Ok(Err(Failure::Unsupported)),
+        };
         let result = self.hull_of(surface, share)?;
         self.progress.advance(1);
         Ok(result)
@@ -158,8 +162,8 @@ impl Search<'_> {
         for times in TIMES {
             self.progress.check()?;
             let vertices = self.vertices.max(COARSE).saturating_mul(times);
-            match coarsened(&hull, vertices) {
-                Ok(coarse) if self.object.by(&coarse).is_proved() => hull = coarse,
+            match coarsened(&hull, vertices, self.progress)? {
+                Ok(coarse) if self.object.by_with_progress(&coarse, self.progress)?.is_proved() => hull = coarse,
                 _ => break,
             }
         }
@@ -167,7 +171,7 @@ impl Search<'_> {
         if hull.vertex_count() > self.vertices {
             return Ok(Err(Failure::Vertices(hull.vertex_count())));
         }
-        let enclosure = self.object.by(&hull);
+        let enclosure = self.object.by_with_progress(&hull, self.progress)?;
         Ok(match enclosure.first {
             None => Ok(Found { hull, enclosure, share, faces }),
             Some(offence) => Err(Failure::Offence(offence)),
