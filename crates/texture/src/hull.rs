@@ -66,6 +66,23 @@ pub enum HullError {
         /// Radius of the bounding sphere.
         radius: f64,
     },
+    /// The smallest 32-bit numbers are farther apart than the smallest offset.
+    #[error(
+        "the object is so small, with a radius of {radius:.1e}, that 32-bit floats hold no surface close to it; scale it by a million or more"
+    )]
+    TooSmall {
+        /// Radius of the bounding sphere.
+        radius: f64,
+    },
+    /// A hull, or distances from it to the object, would be beyond 32-bit floats.
+    #[error(
+        "the object reaches so far, with a radius of {radius:.1e}, that distances around it are beyond 32-bit floats; scale it by a \
+         thousandth or less"
+    )]
+    TooLarge {
+        /// Radius of the bounding sphere.
+        radius: f64,
+    },
     /// Too few vertices were asked for.
     #[error("a hull of {0} vertices was asked for; ask for 4 or more")]
     TooFewVertices(usize),

@@ -22,6 +22,9 @@ pub const MOST_OFFSET: f64 = 4.0;
 /// The offset found is at most this many times one that fails.
 pub const PRECISION: f64 = 1.05;
 
+/// How far from the object's box a hull and distances to it have to fit 32-bit floats, in radii of the bounding sphere.
+const REACH: f64 = 8.0;
+
 /// First offset tried, as a share of the radius.
 const FIRST_OFFSET: f64 = 1.0 / 16.0;
 
@@ -78,8 +81,17 @@ impl Hull {
         }
         let bounds = object.bounds().filter(|bounds| bounds.radius > 0.0).ok_or(HullError::NoExtent)?;
         let (step, radius) = (2.0 * largest_rounding(object), bounds.radius);
+        // Wherever positions count from, no two are closer than the smallest number.
+        if f64::from(f32::from_bits(1)) > LEAST_OFFSET * radius {
+            return Err(HullError::TooSmall { radius });
+        }
         if step > LEAST_OFFSET * radius {
             return Err(HullError::TooFar { step, radius });
+        }
+        // Distances through the hull are kept in 32 bits, and offsets tried until one holds.
+        let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
+        if farthest + REACH * radius > f64::from(f32::MAX) {
+            return Err(HullError::TooLarge { radius });
         }
         progress.stage("hull", 0);
         progress.check()?;
