@@ -213,6 +213,7 @@ mod tests {
     use proptest::prelude::*;
     use silhouette_core::inspect::{Inspection, inspect};
     use silhouette_core::{NoProgress, Topology, shapes};
+    use silhouette_testing::progress::Cancelling;
     use silhouette_testing::strategies::soup;
     use silhouette_testing::threads::with_threads;
     use silhouette_testing::{edits, zoo};
@@ -309,6 +310,23 @@ mod tests {
         let blob = shapes::by_name("blob:3000").unwrap();
         let [one, four] = [1, 4].map(|count| with_threads(count, || surface(&blob, 0.05)));
         assert_eq!(one, four);
+    }
+
+    /// Each of its steps asks in each layer, so that none is long whatever the number of faces; cancelled in any, it stops.
+    #[test]
+    fn every_step_asks_and_stops() {
+        let blob = shapes::by_name("blob:3000").unwrap();
+        let (hierarchy, bounds) = (MeshHierarchy::new(&blob), blob.bounds().unwrap());
+        let offset = 0.05;
+        let layers = Lattice::around(&bounds, offset, CELL * offset, MAX_NODES).unwrap().size().z;
+        let stopped_at = |poll: u32| {
+            let cancelling = Cancelling::at_poll(u64::from(poll));
+            offset_surface(&hierarchy, &bounds, offset, MAX_FACES, &cancelling)
+        };
+        for steps in 0..6 {
+            assert_eq!(stopped_at(steps * (layers - 2)), Err(OffsetError::Cancelled(Cancelled)), "{steps}");
+        }
+        assert!(stopped_at(u32::MAX).is_ok());
     }
 
     proptest! {
