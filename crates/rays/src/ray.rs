@@ -81,6 +81,7 @@ struct Crossing {
 
 impl RayCaster {
     /// The hierarchy of a mesh. Expected O(F log F), parallel.
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(mesh: &TriangleMesh) -> Self {
         Self::with_progress(mesh, &NoProgress).expect("nobody cancels")
     }

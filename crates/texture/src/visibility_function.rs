@@ -52,6 +52,7 @@ pub struct HullPoint {
 
 impl VisibilityFunction {
     /// Builds a hierarchy for each mesh. Expected O(F log F).
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(object: &TriangleMesh, hull: &Hull, rule: VisibilityRule) -> Self {
         Self::with_progress(object, hull, rule, &NoProgress).expect("nobody cancels")
     }

@@ -114,6 +114,7 @@ const EDGES_PER_TASK: usize = 1024;
 
 impl<'a> Enclosed<'a> {
     /// Prepares an object. O(F log F).
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(mesh: &'a TriangleMesh) -> Self {
         Self::with_progress(mesh, &NoProgress).expect("nobody cancels")
     }
@@ -145,6 +146,7 @@ impl<'a> Enclosed<'a> {
 
     /// Tests a hull. The same for any number of threads. Expected O((E + H) log(F + H)) for E edges and F faces of the object
     /// and H of the hull, parallel.
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn by(&self, hull: &TriangleMesh) -> Enclosure {
         self.by_with_progress(hull, &NoProgress).expect("nobody cancels")
     }
