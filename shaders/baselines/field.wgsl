@@ -1,5 +1,7 @@
 // The field of nearest seeds around a view. Twins: crates/baselines/src/distance_field/field.rs, uniform.rs
 //
+// Depths count from the near plane: 32 bits hold little of how deep a mesh is that lies far away, and all of where in it a point lies.
+//
 // A seed is a point of a line within half a pixel or so of a pixel's middle. Each pixel of the field has a record (its own depth
 // and object, and its seed where it has one) and the pixel whose seed is nearest to it.
 
@@ -7,9 +9,9 @@ struct FieldUniform {
     // Added to a pixel of the target, it yields the pixel of the field.
     to_field: vec2<i32>,
     size_px: vec2<i32>,
-    // (p, q, r, s): a value v of the depth buffer stands for the depth (p v + q) / (r v + s).
+    // (p, q, r, s): a value v of the depth buffer stands for the depth (p v + q) / (r v + s) beyond the near plane.
     depth_terms: vec4<f32>,
-    // How far ink reaches from a seed in pixels: x + y / depth.
+    // How far ink reaches from a seed in pixels: x + y / depth, which counts from the viewer.
     reach: vec2<f32>,
     // A step in depth that rounding cannot hide: x depth + y.
     lift: vec2<f32>,
@@ -19,6 +21,8 @@ struct FieldUniform {
     samples: u32,
     // 1: rims are blended by the share of the pixel that they cover.
     is_smooth: u32,
+    // Depth of the near plane.
+    near: f32,
 }
 
 @group(0) @binding(1) var<uniform> field: FieldUniform;
@@ -83,6 +87,11 @@ fn value_of_depth(depth: f32) -> f32 {
 
 fn lift_at(depth: f32) -> f32 {
     return field.lift.x * depth + field.lift.y;
+}
+
+// How far ink reaches from a seed of this depth, in pixels.
+fn reach_px_at(depth: f32) -> f32 {
+    return field.reach.x + field.reach.y / max(depth + field.near, 1e-30);
 }
 
 // Whether the first stands before the second; of two at one depth, that of the lower object does.

@@ -18,7 +18,7 @@ fn filter_ink(@builtin(position) position: vec4<f32>) -> Inked {
     let record = textureLoad(records, at, 0).xy;
     let depth = depth_of(record);
     // The middle of a pixel is up to half a pixel beside the nearest seed of a line, along the line.
-    let half_px = field.reach.x + field.reach.y / depth;
+    let half_px = reach_px_at(depth);
     let reach_px = sqrt(half_px * half_px + 0.25);
     let is_near = half_px > 0.0 && distance(vec2<f32>(pixel) + 0.5, seed_of(at, record)) < reach_px + 1.0;
     // On whatever of the mesh is around the pixel: its samples may be nearer than its middle.

@@ -30,7 +30,7 @@ fn seed_over(pixel: vec2<i32>, own: vec2<u32>) -> u32 {
 }
 
 fn reach_px_of(seed: vec2<u32>) -> f32 {
-    return field.reach.x + field.reach.y / depth_of(seed);
+    return reach_px_at(depth_of(seed));
 }
 
 @fragment

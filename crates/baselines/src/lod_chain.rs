@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 use silhouette_core::glam::Vec3;
 use silhouette_core::method::PrepareError;
-use silhouette_core::simplify::{SimplifyError, simplify};
-use silhouette_core::{Progress, TriangleMesh};
+use silhouette_core::simplify::{SimplifyError, simplify_with_progress};
+use silhouette_core::{Cancelled, Progress, TriangleMesh};
 use silhouette_rays::MeshHierarchy;
 use std::sync::Arc;
 
@@ -47,18 +47,23 @@ pub(crate) fn chain(
 ) -> Result<Vec<LodLevel>, PrepareError> {
     progress.stage("simplify to levels of detail", 0);
     let vertices = used(full);
-    let level = |mesh: TriangleMesh| LodLevel { error: farthest(&vertices, &mesh), mesh: Arc::new(mesh) };
+    let level = |mesh: TriangleMesh| -> Result<LodLevel, Cancelled> {
+        Ok(LodLevel { error: farthest(&vertices, &mesh, progress)?, mesh: Arc::new(mesh) })
+    };
     let mut finest = if full.face_count() <= most_faces {
         LodLevel { mesh: Arc::clone(full), error: 0.0 }
     } else {
-        level(simplify(full, most_faces).map_err(|error| PrepareError::Mesh(Box::new(error)))?)
+        level(simplify_with_progress(full, most_faces, progress).map_err(|error| match error {
+            SimplifyError::Cancelled(cancelled) => cancelled.into(),
+            error => PrepareError::Mesh(Box::new(error)),
+        })?)?
     };
     let mut levels = Vec::new();
     loop {
         progress.check()?;
         progress.advance(1);
         let half = finest.mesh.face_count() / 2;
-        let coarser = halved(&finest.mesh).map(level);
+        let coarser = halved(&finest.mesh, progress)?.map(level).transpose()?;
         levels.push(finest);
         let Some(coarser) = coarser else { return Ok(levels) };
         if coarser.mesh.face_count() > half {
@@ -70,13 +75,18 @@ pub(crate) fn chain(
 }
 
 /// The mesh with half its faces, or as few as can be reached; `None` where those are all.
-fn halved(mesh: &TriangleMesh) -> Option<TriangleMesh> {
+fn halved(mesh: &TriangleMesh, progress: &dyn Progress) -> Result<Option<TriangleMesh>, Cancelled> {
     let faces = mesh.face_count();
-    let coarser = match simplify(mesh, faces / 2) {
-        Err(SimplifyError::OutOfReach { reached, .. }) if reached < faces => simplify(mesh, reached),
+    let coarser = match simplify_with_progress(mesh, faces / 2, progress) {
+        Err(SimplifyError::OutOfReach { reached, .. }) if reached < faces => {
+            simplify_with_progress(mesh, reached, progress)
+        }
         coarser => coarser,
     };
-    coarser.ok().filter(|coarser| coarser.face_count() < faces)
+    match coarser {
+        Err(SimplifyError::Cancelled(cancelled)) => Err(cancelled),
+        coarser => Ok(coarser.ok().filter(|coarser| coarser.face_count() < faces)),
+    }
 }
 
 /// The vertices that faces use.
@@ -89,8 +99,8 @@ fn used(mesh: &TriangleMesh) -> Vec<Vec3> {
 }
 
 /// The largest distance of a point from the surface of a mesh that has faces. O(n log F) expected.
-fn farthest(points: &[Vec3], mesh: &TriangleMesh) -> f64 {
-    let hierarchy = MeshHierarchy::new(mesh);
+fn farthest(points: &[Vec3], mesh: &TriangleMesh, progress: &dyn Progress) -> Result<f64, Cancelled> {
+    let hierarchy = MeshHierarchy::with_progress(mesh, progress)?;
     let farther = |worst: f64, point: &Vec3| {
         let point = point.as_dvec3();
         if hierarchy.is_within(point, worst) {
@@ -98,8 +108,11 @@ fn farthest(points: &[Vec3], mesh: &TriangleMesh) -> f64 {
         }
         hierarchy.nearest(point, f64::INFINITY).map_or(worst, |nearest| worst.max(nearest.distance))
     };
-    let of_task = |points: &[Vec3]| points.iter().fold(0.0, farther);
-    points.par_chunks(PER_TASK).map(of_task).reduce(|| 0.0, f64::max)
+    let of_task = |points: &[Vec3]| {
+        progress.check()?;
+        Ok(points.iter().fold(0.0, farther))
+    };
+    points.par_chunks(PER_TASK).map(of_task).try_reduce(|| 0.0, |one, other| Ok(one.max(other)))
 }
 
 #[cfg(test)]

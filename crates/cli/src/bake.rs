@@ -11,6 +11,7 @@ use silhouette_compare::machine::describe_program;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::{Method, MethodOptions, Progress};
 use silhouette_texture::bake::{BakeError, BakeReport};
+use silhouette_texture::hull::HullError;
 use silhouette_texture::method::{TextureError, bake, hull as make_hull};
 use silhouette_texture::siltex::{self, Metadata};
 use silhouette_texture::{Hull, SilhouetteTexture, Texture, TextureOptions};
@@ -117,8 +118,10 @@ pub fn baked(
         Some(given) => {
             let placed = given.mesh.mesh().relative_to(mesh.origin());
             let placed = placed.map_err(|error| Failure::Input(format!("{}: {error}", given.name)))?;
-            let checked = Hull::checked(mesh, placed);
-            checked.map_err(|error| Failure::Input(format!("{}: {error}", given.name)))?
+            Hull::checked_with_progress(mesh, placed, progress).map_err(|error| match error {
+                HullError::Cancelled(cancelled) => cancelled.into(),
+                error => Failure::Input(format!("{}: {error}", given.name)),
+            })?
         }
         None => make_hull(mesh, choice.hull_vertices, progress).map_err(failed)?,
     };

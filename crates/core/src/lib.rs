@@ -67,7 +67,7 @@ pub use method::{
     ExtractsCurves, ExtractsEdges, ExtractsLoops, Method, MethodGuide, MethodInfo, MethodOptions, NoOptions,
 };
 pub use prepared::PreparedMesh;
-pub use progress::{Cancelled, NoProgress, Progress};
+pub use progress::{Cancelled, NoProgress, Progress, Quiet};
 pub use silhouette::{SilhouetteEdges, silhouette_edges};
 pub use topology::Topology;
 pub use view::{Camera, Projection, Viewpoint};

@@ -31,6 +31,22 @@ impl Progress for NoProgress {
     fn advance(&self, _steps: u64) {}
 }
 
+/// Asks another one whether to stop, and reports nothing to it: for work that is a step of a stage, and has stages of its own.
+#[derive(Clone, Copy)]
+pub struct Quiet<'a>(
+    /// The one that is asked.
+    pub &'a dyn Progress,
+);
+
+impl Progress for Quiet<'_> {
+    fn stage(&self, _name: &str, _total: u64) {}
+    fn advance(&self, _steps: u64) {}
+
+    fn is_cancelled(&self) -> bool {
+        self.0.is_cancelled()
+    }
+}
+
 /// The work was stopped by its [`Progress`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("cancelled")]

@@ -24,8 +24,9 @@
 mod topology_kept;
 
 use self::topology_kept::{Change, change, neighbours, on_short_boundaries};
-use crate::inspect::{Inspection, inspect};
+use crate::inspect::{Inspection, inspect_with_progress};
 use crate::mesh::TriangleMesh;
+use crate::progress::{Cancelled, NoProgress, Progress, Quiet};
 use crate::topology::Topology;
 use crate::weld::weld_exact;
 use glam::Vec3;
@@ -51,6 +52,9 @@ pub enum SimplifyError {
         /// With how many the mesh was left.
         reached: usize,
     },
+    /// The work was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// Share of its faces that one pass leaves at least, as a divisor.
@@ -74,15 +78,29 @@ const PASS: usize = 2;
 /// # Errors
 /// [`SimplifyError`]: no face is asked for or there, or so few are out of reach.
 pub fn simplify(mesh: &TriangleMesh, faces: usize) -> Result<TriangleMesh, SimplifyError> {
+    simplify_with_progress(mesh, faces, &NoProgress)
+}
+
+/// Like [`simplify`], but stops when `progress` asks to: before and after each call of meshoptimizer, which itself cannot be stopped
+/// and takes about a microsecond per face, and between the steps of what checks its result.
+///
+/// # Errors
+/// As [`simplify`]; [`SimplifyError::Cancelled`] when `progress` says so.
+pub fn simplify_with_progress(
+    mesh: &TriangleMesh,
+    faces: usize,
+    progress: &dyn Progress,
+) -> Result<TriangleMesh, SimplifyError> {
     if faces == 0 {
         return Err(SimplifyError::NoneWanted);
     }
-    let mut current = Stage::new(without_degenerate_faces(&weld_exact(mesh).mesh));
+    progress.check()?;
+    let mut current = Stage::new(without_degenerate_faces(&weld_exact(mesh).mesh), progress)?;
     let unit = in_unit_box(&current.mesh).ok_or(SimplifyError::NoFaces)?;
     while current.mesh.face_count() > faces {
         let reached = current.mesh.face_count();
         let goal = faces.max(reached / PASS);
-        current = pass(&current, &unit, goal).ok_or(SimplifyError::OutOfReach { wanted: faces, reached })?;
+        current = pass(&current, &unit, goal, progress)?.ok_or(SimplifyError::OutOfReach { wanted: faces, reached })?;
     }
     Ok(compacted(&current.mesh))
 }
@@ -95,28 +113,31 @@ struct Stage {
 }
 
 impl Stage {
-    fn new(mesh: TriangleMesh) -> Self {
+    fn new(mesh: TriangleMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        progress.check()?;
         let topology = Topology::new(&mesh);
-        let inspection = inspect(&mesh, &topology);
-        Self { mesh, topology, inspection }
+        progress.check()?;
+        let inspection = inspect_with_progress(&mesh, &topology, &Quiet(progress))?;
+        Ok(Self { mesh, topology, inspection })
     }
 }
 
 /// Collapses edges until about `goal` faces are left, or fewer edges where others change the topology; `None` if every
 /// collapse does.
-fn pass(before: &Stage, unit: &[[f32; 3]], goal: usize) -> Option<Stage> {
+fn pass(before: &Stage, unit: &[[f32; 3]], goal: usize, progress: &dyn Progress) -> Result<Option<Stage>, Cancelled> {
     let faces = before.mesh.face_count();
     let mut locked = vec![false; unit.len()];
     lock(&mut locked, on_short_boundaries(&before.topology, &before.mesh));
     let mut nearer = goal;
     loop {
+        progress.check()?;
         let triangles = collapsed(before.mesh.triangles(), unit, &locked, nearer);
         if triangles.len() == faces {
-            return None;
+            return Ok(None);
         }
-        let after = Stage::new(over_same_vertices(&before.mesh, triangles));
+        let after = Stage::new(over_same_vertices(&before.mesh, triangles), progress)?;
         let at_fault = match change(&before.inspection, &after.inspection, &after.mesh) {
-            Change::None => return Some(after),
+            Change::None => return Ok(Some(after)),
             Change::At(vertices) => vertices,
             Change::Somewhere => Vec::new(),
         };
@@ -203,13 +224,17 @@ mod tests {
     use super::*;
     use crate::shapes;
 
+    fn stage(mesh: TriangleMesh) -> Stage {
+        Stage::new(mesh, &NoProgress).unwrap()
+    }
+
     /// The control of the test that simplified meshes keep their topology: without locks, the knot is pinched.
     #[test]
     fn without_locks_thin_parts_are_pinched() {
-        let knot = Stage::new(shapes::by_name("knot").unwrap());
+        let knot = stage(shapes::by_name("knot").unwrap());
         let unit = in_unit_box(&knot.mesh).unwrap();
         let triangles = collapsed(knot.mesh.triangles(), &unit, &vec![false; unit.len()], 50);
-        let pinched = Stage::new(over_same_vertices(&knot.mesh, triangles));
+        let pinched = stage(over_same_vertices(&knot.mesh, triangles));
         assert!(!pinched.inspection.is_manifold);
         assert!(matches!(change(&knot.inspection, &pinched.inspection, &pinched.mesh), Change::At(_)));
     }
@@ -221,10 +246,9 @@ mod tests {
         let positions = ball.positions().iter().copied().chain(cube.positions().iter().map(place)).collect();
         let first = ball.vertex_count() as u32;
         let of_cube = cube.triangles().iter().map(|triangle| triangle.map(|vertex| vertex + first));
-        let both = Stage::new(
-            TriangleMesh::new(positions, ball.triangles().iter().copied().chain(of_cube).collect()).unwrap(),
-        );
-        let one = Stage::new(over_same_vertices(&both.mesh, ball.triangles().to_vec()));
+        let both =
+            stage(TriangleMesh::new(positions, ball.triangles().iter().copied().chain(of_cube).collect()).unwrap());
+        let one = stage(over_same_vertices(&both.mesh, ball.triangles().to_vec()));
         assert!(matches!(change(&both.inspection, &one.inspection, &one.mesh), Change::Somewhere));
         assert!(matches!(change(&both.inspection, &both.inspection, &both.mesh), Change::None));
         assert_eq!(vanished(&both, &one).len(), cube.vertex_count());

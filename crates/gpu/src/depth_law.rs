@@ -102,6 +102,18 @@ impl DepthLaw {
         [self.w_constant, -self.offset, -self.w_slope, self.slope]
     }
 
+    /// `(p, q, r, s)`: a value v of the depth buffer stands for the depth `(p v + q) / (r v + s)` beyond the near plane, of which 32 bits
+    /// hold much more than of the depth itself where all that is seen is far away. 0 at the near plane, to the last bit.
+    pub fn depth_beyond_near_terms(&self) -> [f64; 4] {
+        let [p, _, r, s] = self.depth_of_value_terms();
+        let nearest = match self.direction {
+            DepthDirection::Standard => 0.0,
+            DepthDirection::Reversed => 1.0,
+        };
+        let slope = p - self.range.near * r;
+        [slope, -slope * nearest, r, s]
+    }
+
     /// The row of a projection for clip-space z with another near and far plane, all else equal.
     pub fn z_row(&self, range: ClipRange) -> DVec4 {
         let (at_zero, at_one) = match self.direction {

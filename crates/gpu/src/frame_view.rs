@@ -2,7 +2,8 @@
 
 use crate::depth_law::DepthLaw;
 use crate::frame_view_error::FrameViewError;
-use glam::{DMat4, DVec3, DVec4, Vec3, Vec4Swizzles};
+use glam::{DMat3, DMat4, DVec3, DVec4, Vec3, Vec4Swizzles};
+use silhouette_core::mesh::Bounds;
 use silhouette_core::view::{Camera, ClipRange, DepthDirection, Viewpoint};
 
 /// A rectangle of a target, in pixels. Renderers draw into it and nowhere else.
@@ -229,9 +230,19 @@ impl FrameView {
         0.5 * f64::from(self.viewport.size_px[1]) * up.x.hypot(up.y) / self.law.w_at(depth)
     }
 
+    /// Radius in view space of what lies within these bounds in object space: of its bounding sphere or its box, whichever the model
+    /// matrix makes the smaller one.
+    pub fn radius(&self, bounds: &Bounds) -> f64 {
+        let half = (bounds.max - bounds.min) * 0.5;
+        let to_view = DMat3::from_mat4(self.object_to_view());
+        let corner = |signs: [f64; 2]| (to_view * (half * DVec3::new(1.0, signs[0], signs[1]))).length();
+        let farthest = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(corner).into_iter().fold(0.0, f64::max);
+        farthest.min(bounds.radius * self.largest_scale())
+    }
+
     /// The largest length in view space of a unit vector of the mesh's own space.
     pub fn largest_scale(&self) -> f64 {
-        let linear = glam::DMat3::from_mat4(self.object_to_view());
+        let linear = DMat3::from_mat4(self.object_to_view());
         let squares = linear.transpose() * linear;
         // Power iteration from each column reaches the largest eigenvalue to well below a percent, which bounds need.
         let grown = |start: DVec3| (0..24).fold(start, |v, _| (squares * v).normalize_or_zero());
@@ -268,7 +279,7 @@ fn cross(a: DVec4, b: DVec4, c: DVec4) -> DVec4 {
         2 => v.xyw(),
         _ => v.xyz(),
     };
-    let minor = |skip| glam::DMat3::from_cols(without(a, skip), without(b, skip), without(c, skip)).determinant();
+    let minor = |skip| DMat3::from_cols(without(a, skip), without(b, skip), without(c, skip)).determinant();
     DVec4::new(minor(0), -minor(1), minor(2), -minor(3))
 }
 

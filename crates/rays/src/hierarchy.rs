@@ -5,10 +5,11 @@
 //! over distinct boxes, and equal boxes share a leaf.
 
 use obvhs::aabb::Aabb;
-use obvhs::bvh2::{Bvh2, builder::build_bvh2};
+use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
+use obvhs::ploc::PlocBuilder;
 use obvhs::{Boundable, BvhBuildParams};
+use silhouette_core::{Cancelled, NoProgress, Progress};
 use std::collections::HashMap;
-use std::time::Duration;
 
 /// A box as `obvhs` takes it.
 #[derive(Debug, Clone, Copy)]
@@ -27,23 +28,36 @@ impl Boundable for Boxed {
 const SAMPLE: usize = 1024;
 
 /// A hierarchy over boxes; `primitive_indices` are ordered by leaf. Expected O(boxes log boxes).
+#[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
 pub fn build(boxes: &[Boxed]) -> Bvh2 {
+    build_with_progress(boxes, &NoProgress).expect("nobody cancels")
+}
+
+/// Like [`build`], but stops between its steps when `progress` asks to. The longest step, which merges boxes, is `obvhs`'s own.
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub fn build_with_progress(boxes: &[Boxed], progress: &dyn Progress) -> Result<Bvh2, Cancelled> {
+    progress.check()?;
     if boxes.is_empty() {
-        return Bvh2::default();
+        return Ok(Bvh2::default());
     }
     let sample: Vec<u32> =
         (0..SAMPLE.min(boxes.len())).map(|at| (at * boxes.len() / SAMPLE.min(boxes.len())) as u32).collect();
-    if alike(boxes, &sample).len() == sample.len() { build_of(boxes) } else { build_of_groups(boxes) }
+    if alike(boxes, &sample).len() == sample.len() {
+        build_of(boxes, progress)
+    } else {
+        build_of_groups(boxes, progress)
+    }
 }
 
 /// `obvhs` compares areas in 32 bits. Of boxes so small or so large that those are all 0 or infinite each is as near as any other, and
 /// again a round merges a single pair. Such boxes are scaled by a power of two, and those of the nodes back, which changes no bit.
-fn build_of(boxes: &[Boxed]) -> Bvh2 {
-    let mut time = Duration::ZERO;
+fn build_of(boxes: &[Boxed], progress: &dyn Progress) -> Result<Bvh2, Cancelled> {
     let largest = boxes.iter().map(|Boxed(Aabb { min, max })| min.abs().max(max.abs()).max_element());
     let largest = largest.fold(0.0, f32::max);
     if largest == 0.0 || (SMALLEST..=1.0 / SMALLEST).contains(&largest) {
-        return build_bvh2(boxes, BvhBuildParams::fast_build(), &mut time);
+        return build_fast(boxes, progress);
     }
     let exponent = f64::from(largest).log2().floor();
     let scaled = |by: f64, Aabb { min, max }: Aabb| {
@@ -51,11 +65,29 @@ fn build_of(boxes: &[Boxed]) -> Bvh2 {
         Aabb { min, max }
     };
     let unit: Vec<Boxed> = boxes.iter().map(|&Boxed(aabb)| Boxed(scaled((-exponent).exp2(), aabb))).collect();
-    let mut bvh = build_bvh2(&unit, BvhBuildParams::fast_build(), &mut time);
+    let mut bvh = build_fast(&unit, progress)?;
     for node in &mut bvh.nodes {
         node.set_aabb(scaled(exponent.exp2(), *node.aabb()));
     }
-    bvh
+    Ok(bvh)
+}
+
+/// `obvhs`'s fast build, in the steps of its `build_bvh2`, between which it can be stopped.
+fn build_fast(boxes: &[Boxed], progress: &dyn Progress) -> Result<Bvh2, Cancelled> {
+    let fast = BvhBuildParams::fast_build();
+    let mut bvh = PlocBuilder::with_capacity(boxes.len()).build(
+        fast.ploc_search_distance,
+        boxes,
+        (0..boxes.len() as u32).collect(),
+        fast.sort_precision,
+        fast.search_depth_threshold,
+    );
+    progress.check()?;
+    ReinsertionOptimizer::default().run(&mut bvh, fast.reinsertion_batch_ratio, None);
+    progress.check()?;
+    collapse(&mut bvh, fast.max_prims_per_leaf, fast.collapse_traversal_cost);
+    progress.check()?;
+    Ok(bvh)
 }
 
 /// Largest coordinate below which boxes are scaled, and above whose inverse.
@@ -77,10 +109,11 @@ fn alike(boxes: &[Boxed], indices: &[u32]) -> Vec<Vec<u32>> {
     groups
 }
 
-fn build_of_groups(boxes: &[Boxed]) -> Bvh2 {
+fn build_of_groups(boxes: &[Boxed], progress: &dyn Progress) -> Result<Bvh2, Cancelled> {
     let groups = alike(boxes, &(0..boxes.len() as u32).collect::<Vec<u32>>());
     let firsts: Vec<Boxed> = groups.iter().map(|group| boxes[group[0] as usize]).collect();
-    let mut bvh = build_of(&firsts);
+    progress.check()?;
+    let mut bvh = build_of(&firsts, progress)?;
     let of_groups = std::mem::take(&mut bvh.primitive_indices);
     for node in bvh.nodes.iter_mut().filter(|node| node.prim_count > 0) {
         let first = bvh.primitive_indices.len();
@@ -89,13 +122,15 @@ fn build_of_groups(boxes: &[Boxed]) -> Bvh2 {
         }
         (node.first_index, node.prim_count) = (first as u32, (bvh.primitive_indices.len() - first) as u32);
     }
-    bvh
+    Ok(bvh)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use obvhs::bvh2::builder::build_bvh2;
     use silhouette_core::glam::Vec3A;
+    use std::time::Duration;
 
     /// Boxes from the smallest numbers that there are to almost the largest: the same tree, to the last bit, as of boxes of usual size.
     #[test]
@@ -117,6 +152,21 @@ mod tests {
                 assert_eq!([node.aabb().min.as_dvec3(), node.aabb().max.as_dvec3()], expected);
             }
         }
+    }
+
+    /// The steps are those of `obvhs` itself, to the last bit; if a new version has more, this says so.
+    #[test]
+    fn the_steps_are_those_of_obvhs() {
+        let corner = |index: u32| Vec3A::new((index % 50) as f32, (index / 50) as f32, (index % 7) as f32);
+        let boxes: Vec<Boxed> = (0..2500).map(|index| Boxed(Aabb::new(corner(index), corner(index) + 1.0))).collect();
+        let mut time = Duration::ZERO;
+        let whole = build_bvh2(&boxes, BvhBuildParams::fast_build(), &mut time);
+        let built = build(&boxes);
+        assert_eq!(built.primitive_indices, whole.primitive_indices);
+        let of = |bvh: &Bvh2| -> Vec<_> {
+            bvh.nodes.iter().map(|node| (node.aabb().min, node.aabb().max, node.prim_count, node.first_index)).collect()
+        };
+        assert_eq!(of(&built), of(&whole));
     }
 
     #[test]

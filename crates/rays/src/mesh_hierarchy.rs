@@ -1,10 +1,10 @@
 //! [`MeshHierarchy`]: a hierarchy over the faces of a mesh, which `distance.rs` and `segment.rs` ask.
 
-use crate::hierarchy::{Boxed, build};
+use crate::hierarchy::{Boxed, build_with_progress};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, node::Bvh2Node};
 use silhouette_core::glam::Vec3;
-use silhouette_core::{FaceId, TriangleMesh};
+use silhouette_core::{Cancelled, FaceId, NoProgress, Progress, TriangleMesh};
 use std::ops::Range;
 
 /// A hierarchy of boxes over the faces of a mesh, with copies of their corners.
@@ -20,15 +20,24 @@ pub struct MeshHierarchy {
 
 impl MeshHierarchy {
     /// The hierarchy of a mesh. Expected O(F log F), parallel.
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(mesh: &TriangleMesh) -> Self {
+        Self::with_progress(mesh, &NoProgress).expect("nobody cancels")
+    }
+
+    /// Like [`new`](Self::new), but stops between its steps when `progress` asks to.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn with_progress(mesh: &TriangleMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let boxed = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|vertex| mesh.positions()[vertex as usize]);
             Boxed(Aabb::new(a.min(b).min(c).into(), a.max(b).max(c).into()))
         };
-        let bvh = build(&mesh.triangles().iter().map(boxed).collect::<Vec<_>>());
+        let bvh = build_with_progress(&mesh.triangles().iter().map(boxed).collect::<Vec<_>>(), progress)?;
         let faces: Vec<FaceId> = bvh.primitive_indices.iter().map(|&index| FaceId::new(index)).collect();
         let corners = faces.iter().map(|&face| mesh.corners(face)).collect();
-        Self { bvh, faces, corners }
+        Ok(Self { bvh, faces, corners })
     }
 
     /// Where a leaf's faces lie; `None` for an inner node, whose children are `first_index` and the next.

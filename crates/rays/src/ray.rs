@@ -23,12 +23,12 @@ mod flat;
 
 pub use flat::FlatNode;
 
-use crate::hierarchy::{Boxed, build};
+use crate::hierarchy::{Boxed, build_with_progress};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::ray::{Ray, RayHit};
 use silhouette_core::glam::{DVec3, Vec3, Vec3A};
-use silhouette_core::{FaceId, TriangleMesh};
+use silhouette_core::{Cancelled, FaceId, NoProgress, Progress, TriangleMesh};
 
 /// By how much boxes are grown on every side, in units of half the mesh's largest extent. See the [module](self).
 const GROWTH: f32 = 1.0e-5;
@@ -81,7 +81,16 @@ struct Crossing {
 
 impl RayCaster {
     /// The hierarchy of a mesh. Expected O(F log F), parallel.
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(mesh: &TriangleMesh) -> Self {
+        Self::with_progress(mesh, &NoProgress).expect("nobody cancels")
+    }
+
+    /// Like [`new`](Self::new), but stops between its steps when `progress` asks to.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn with_progress(mesh: &TriangleMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (center, extent) = mesh
             .bounds()
             .map_or((DVec3::ZERO, 0.0), |bounds| (bounds.center, (bounds.max - bounds.min).max_element() * 0.5));
@@ -92,11 +101,11 @@ impl RayCaster {
             let (min, max) = (a.min(b).min(c) - GROWTH, a.max(b).max(c) + GROWTH);
             Boxed(Aabb::new(min.into(), max.into()))
         };
-        let bvh = build(&mesh.triangles().iter().map(boxed).collect::<Vec<_>>());
+        let bvh = build_with_progress(&mesh.triangles().iter().map(boxed).collect::<Vec<_>>(), progress)?;
         let faces: Vec<FaceId> = bvh.primitive_indices.iter().map(|&index| FaceId::new(index)).collect();
         let corners =
             faces.iter().map(|face| mesh.triangles()[face.index()].map(|vertex| local(vertex).to_array())).collect();
-        Self { center, scale, bvh, corners, faces }
+        Ok(Self { center, scale, bvh, corners, faces })
     }
 
     /// Whether a ray meets the mesh before `within`. The direction is of unit length, the origin anywhere; faces count from both

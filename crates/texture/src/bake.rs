@@ -219,11 +219,13 @@ impl<'a> Bake<'a> {
         }
         let atlas = Atlas::new(self.hull, options.size, options.gutter).map_err(BakeError::from)?;
         let tiles = Tile::all(&atlas);
-        let visibility = VisibilityFunction::new(self.mesh, self.hull, options.rule);
+        let visibility = VisibilityFunction::with_progress(self.mesh, self.hull, options.rule, progress);
+        let visibility = visibility.map_err(BakeError::from)?;
         let centers = centers(self.hull, &visibility, progress).map_err(BakeError::from)?;
         let tangents = tangents(self.hull, &centers);
         let correspondence =
-            Correspondence::new(self.mesh, visibility.object(), self.hull, options.crease_deg, self.colors);
+            Correspondence::new(self.mesh, visibility.object(), self.hull, options.crease_deg, self.colors, progress)
+                .map_err(BakeError::from)?;
         let source = Source {
             atlas: &atlas,
             visibility: &visibility,

@@ -10,7 +10,7 @@
 use crate::centers::{angle_at, normals};
 use crate::hull::Hull;
 use glam::{DVec3, Vec3};
-use silhouette_core::{FaceId, TriangleMesh, glam};
+use silhouette_core::{Cancelled, FaceId, Progress, TriangleMesh, glam};
 use silhouette_rays::{MeshHierarchy, RayCaster};
 
 /// Colour of the object at a point, given by a face and the weights of its corners: sRGB and alpha.
@@ -36,15 +36,20 @@ pub struct Correspondence<'a> {
 
 impl<'a> Correspondence<'a> {
     /// Prepares the normals of both meshes, and a hierarchy for distances. Expected O(F log F).
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
     pub fn new(
         mesh: &'a TriangleMesh,
         rays: &'a RayCaster,
         hull: &Hull,
         crease_deg: f64,
         colors: Option<&'a ColorAt<'a>>,
-    ) -> Self {
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
         let (corners, hull) = (corner_normals(mesh, crease_deg), normals(hull.mesh()));
-        Self { mesh, rays, distances: MeshHierarchy::new(mesh), corners, hull, colors }
+        let distances = MeshHierarchy::with_progress(mesh, progress)?;
+        Ok(Self { mesh, rays, distances, corners, hull, colors })
     }
 
     /// Colour and unit normal at a point of the hull: its position, and the hull's vertices around it with their weights. Expected

@@ -20,6 +20,7 @@ mod coarsen;
 mod collapse;
 pub mod enclosure;
 mod lattice;
+mod layered;
 pub mod offset_surface;
 mod outside;
 #[cfg(feature = "simplify")]
@@ -33,7 +34,7 @@ mod touching;
 pub(crate) mod winding_number;
 
 use crate::hull::enclosure::{Enclosed, Enclosure, Offence};
-use silhouette_core::{Cancelled, TriangleMesh};
+use silhouette_core::{Cancelled, NoProgress, Progress, TriangleMesh};
 use std::sync::Arc;
 
 #[cfg(feature = "simplify")]
@@ -62,6 +63,23 @@ pub enum HullError {
     TooFar {
         /// Most that neighbouring positions are apart.
         step: f64,
+        /// Radius of the bounding sphere.
+        radius: f64,
+    },
+    /// The smallest 32-bit numbers are farther apart than the smallest offset.
+    #[error(
+        "the object is so small, with a radius of {radius:.1e}, that 32-bit floats hold no surface close to it; scale it by a million or more"
+    )]
+    TooSmall {
+        /// Radius of the bounding sphere.
+        radius: f64,
+    },
+    /// A hull, or distances from it to the object, would be beyond 32-bit floats.
+    #[error(
+        "the object reaches so far, with a radius of {radius:.1e}, that distances around it are beyond 32-bit floats; scale it by a \
+         thousandth or less"
+    )]
+    TooLarge {
         /// Radius of the bounding sphere.
         radius: f64,
     },
@@ -110,8 +128,20 @@ impl Hull {
     /// # Errors
     /// [`HullError::NotEnclosing`] names the first offence.
     pub fn checked(object: &TriangleMesh, hull: impl Into<Arc<TriangleMesh>>) -> Result<Self, HullError> {
+        Self::checked_with_progress(object, hull, &NoProgress)
+    }
+
+    /// Like [`checked`](Self::checked), but stops when `progress` asks to.
+    ///
+    /// # Errors
+    /// As [`checked`](Self::checked); [`HullError::Cancelled`] when `progress` says so.
+    pub fn checked_with_progress(
+        object: &TriangleMesh,
+        hull: impl Into<Arc<TriangleMesh>>,
+        progress: &dyn Progress,
+    ) -> Result<Self, HullError> {
         let mesh = hull.into();
-        let enclosure = Enclosed::new(object).by(&mesh);
+        let enclosure = Enclosed::with_progress(object, progress)?.by_with_progress(&mesh, progress)?;
         enclosure.first.map_or(Ok(()), Err)?;
         Ok(Self { mesh, offset: None, enclosure: Some(enclosure) })
     }

@@ -19,7 +19,7 @@
 use crate::hull::Hull;
 use crate::silhouette_texture::VisibilityRule;
 use glam::{DVec3, Vec3};
-use silhouette_core::{FaceId, TriangleMesh, glam};
+use silhouette_core::{Cancelled, FaceId, NoProgress, Progress, TriangleMesh, glam};
 use silhouette_rays::ray::RayCaster;
 use std::sync::Arc;
 
@@ -52,19 +52,33 @@ pub struct HullPoint {
 
 impl VisibilityFunction {
     /// Builds a hierarchy for each mesh. Expected O(F log F).
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(object: &TriangleMesh, hull: &Hull, rule: VisibilityRule) -> Self {
+        Self::with_progress(object, hull, rule, &NoProgress).expect("nobody cancels")
+    }
+
+    /// Like [`new`](Self::new), but stops between its steps when `progress` asks to.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn with_progress(
+        object: &TriangleMesh,
+        hull: &Hull,
+        rule: VisibilityRule,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
         let mesh = hull.mesh();
         let corners: Vec<[DVec3; 3]> =
             (0..mesh.face_count()).map(|face| mesh.corners(FaceId::from_usize(face)).map(Vec3::as_dvec3)).collect();
         let normal = |[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).normalize_or_zero().as_vec3();
-        Self {
-            object: Arc::new(RayCaster::new(object)),
-            hull: Arc::new(RayCaster::new(mesh)),
+        Ok(Self {
+            object: Arc::new(RayCaster::with_progress(object, progress)?),
+            hull: Arc::new(RayCaster::with_progress(mesh, progress)?),
             normals: corners.iter().map(normal).collect(),
             corners,
             beyond: mesh.bounds().map_or(0.0, |bounds| bounds.radius) * BEYOND,
             rule,
-        }
+        })
     }
 
     /// The rule.

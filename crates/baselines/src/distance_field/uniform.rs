@@ -4,7 +4,8 @@ use super::reach::Extent;
 use bytemuck::{Pod, Zeroable};
 use silhouette_gpu::{FrameView, TargetFormats, WidthOverDepth};
 
-/// A step in depth that no rounding hides, as a share of the depth; of the mesh's radius in an orthographic view. Sixteen-bit depth
+/// A step in depth that no rounding hides, as a share of the depth beyond the near plane and of the near plane's own, which counts no
+/// more than the mesh's radius; of that radius in an orthographic view. Sixteen-bit depth
 /// buffers have coarser ones in places, and lines there may be off by a pixel.
 const DEPTH_STEP: f64 = 1.0 / (1 << 14) as f64;
 
@@ -29,7 +30,8 @@ pub(crate) struct FieldUniform {
     ink: [f32; 4],
     samples: u32,
     is_smooth: u32,
-    _pad: [u32; 2],
+    near: f32,
+    _pad: u32,
 }
 
 impl FieldUniform {
@@ -44,17 +46,24 @@ impl FieldUniform {
         formats: &TargetFormats,
     ) -> Self {
         let size_px = extent.size_px().map(|side| i32::try_from(side).unwrap_or(i32::MAX));
-        let lift = if view.is_perspective() { [DEPTH_STEP, 0.0] } else { [0.0, DEPTH_STEP * radius] };
+        let law = view.depth_law();
+        let near = law.range().near;
+        let lift = if view.is_perspective() {
+            [DEPTH_STEP, DEPTH_STEP * near.min(radius)]
+        } else {
+            [0.0, DEPTH_STEP * radius]
+        };
         Self {
             to_field: extent.field_offset(),
             size_px,
-            depth_terms: view.depth_law().depth_of_value_terms().map(|term| term as f32),
+            depth_terms: law.depth_beyond_near_terms().map(|term| term as f32),
             reach: [width.constant_px, width.px_at_depth_1].map(|part| (reach * part) as f32),
             lift: lift.map(|part| part as f32),
             ink: [0.0; 4],
             samples: formats.samples,
             is_smooth: 0,
-            _pad: [0; 2],
+            near: near as f32,
+            _pad: 0,
         }
     }
 
@@ -80,6 +89,7 @@ mod tests {
             ("ink", offset_of!(FieldUniform, ink)),
             ("samples", offset_of!(FieldUniform, samples)),
             ("is_smooth", offset_of!(FieldUniform, is_smooth)),
+            ("near", offset_of!(FieldUniform, near)),
         ];
         use silhouette_shaders::baselines::{BORDER_SEEDS, DISCONTINUITIES, FILTER_INK, FLOOD, OUTLINE_INK};
         for stage in [BORDER_SEEDS, DISCONTINUITIES, FILTER_INK, FLOOD, OUTLINE_INK] {

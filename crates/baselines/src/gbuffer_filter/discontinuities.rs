@@ -20,20 +20,26 @@ pub(super) struct ThresholdsUniform {
     depth: f32,
     cosine: f32,
     chord_squared: f32,
+    middle: f32,
+    middle_beyond_near: f32,
     ground: f32,
     is_perspective: u32,
     finds_turns: u32,
 }
 
 impl ThresholdsUniform {
-    /// Those of a mesh whose radius in view space is `radius`; where there is no mesh the G-buffer's depth is `ground`.
-    pub fn new(options: &GbufferFilterOptions, view: &FrameView, radius: f64, ground: f32) -> Self {
+    /// Those of a mesh whose middle is at the depth `middle` and whose radius in view space is `radius`; where there is no mesh the G-buffer's depth is `ground`.
+    pub fn new(options: &GbufferFilterOptions, view: &FrameView, middle: f64, radius: f64, ground: f32) -> Self {
+        // No farther from any depth of the mesh than by a factor, wherever the viewer stands.
+        let middle = middle.max(radius);
         let angle = options.normal_threshold_deg.to_radians();
         let chord = 2.0 * (0.5 * angle).sin();
         Self {
             depth: (options.depth_threshold * radius) as f32,
             cosine: angle.cos() as f32,
             chord_squared: (chord * chord) as f32,
+            middle: middle as f32,
+            middle_beyond_near: (middle - view.depth_law().range().near) as f32,
             ground,
             is_perspective: u32::from(view.is_perspective()),
             finds_turns: u32::from(options.edges == FilteredEdges::All),
@@ -63,6 +69,8 @@ mod tests {
             ("depth", offset_of!(ThresholdsUniform, depth)),
             ("cosine", offset_of!(ThresholdsUniform, cosine)),
             ("chord_squared", offset_of!(ThresholdsUniform, chord_squared)),
+            ("middle", offset_of!(ThresholdsUniform, middle)),
+            ("middle_beyond_near", offset_of!(ThresholdsUniform, middle_beyond_near)),
             ("ground", offset_of!(ThresholdsUniform, ground)),
             ("is_perspective", offset_of!(ThresholdsUniform, is_perspective)),
             ("finds_turns", offset_of!(ThresholdsUniform, finds_turns)),

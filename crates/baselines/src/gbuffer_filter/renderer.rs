@@ -122,7 +122,7 @@ impl FrameRenderer for GbufferFilterRenderer {
         let Some(bounds) = self.mesh.bounds() else { return Ok(()) };
         let style = self.options.line_style();
         let width = WidthOverDepth::new(&style.width, view, &bounds);
-        let radius = bounds.radius * view.largest_scale();
+        let (middle, radius) = (view.depth(bounds.center), view.radius(&bounds));
         let extent = Extent::new(view.viewport(), 0.5 * widest_px(view, &bounds, &width));
         self.resize(device, extent)?;
         let frame = *self.mesh.frame();
@@ -132,7 +132,8 @@ impl FrameRenderer for GbufferFilterRenderer {
             &CameraUniform::new(frame.to_clip(&field_view)),
             &SurfaceFrame::new(&frame, &field_view),
         );
-        self.thresholds.write(queue, &ThresholdsUniform::new(&self.options, view, radius, formats.clear_depth()));
+        let thresholds = ThresholdsUniform::new(&self.options, view, middle, radius, formats.clear_depth());
+        self.thresholds.write(queue, &thresholds);
         let uniform = FieldUniform::new(view, radius, &extent, &width, 0.5, &formats);
         let uniform = uniform.with_ink(style.ink.for_target(&formats), Rim::Samples);
         self.binding.write(queue, &CameraUniform::new(DMat4::IDENTITY), &uniform);

@@ -291,6 +291,10 @@ fn read_key(folder: &Path) -> Result<Key, StoreError> {
         Err(error) if error.kind() == io::ErrorKind::NotFound && folder.is_dir() => {
             return Err(StoreError::NotOurs { path: folder.to_owned() });
         }
+        // A file stands there.
+        Err(error) if error.kind() == io::ErrorKind::NotADirectory => {
+            return Err(StoreError::NotOurs { path: folder.to_owned() });
+        }
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             return Err(StoreError::Missing { path: folder.to_owned() });
         }

@@ -116,6 +116,9 @@ fn a_folder_of_something_else_is_refused_and_stays() {
     assert!(matches!(CellStore::open(folder.path(), key("cube")), Err(StoreError::NotOurs { .. })));
     assert!(matches!(CellStore::existing(folder.path()), Err(StoreError::NotOurs { .. })));
     assert!(matches!(CellStore::existing(&folder.path().join("none")), Err(StoreError::Missing { .. })));
+    let file = folder.path().join("a file");
+    std::fs::write(&file, "no folder").unwrap();
+    assert!(matches!(CellStore::existing(&file), Err(StoreError::NotOurs { .. })));
     assert_eq!(folder.path().read_dir().unwrap().count(), 1);
 
     let kept = tempfile::tempdir().unwrap();

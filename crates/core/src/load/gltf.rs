@@ -14,6 +14,7 @@ mod accessor;
 mod buffers;
 mod dangling;
 mod deform;
+mod document;
 mod edges;
 mod extensions;
 mod nodes;
@@ -22,6 +23,7 @@ use self::accessor::{indices, most_elements};
 use self::buffers::Buffers;
 use self::dangling::dangling;
 use self::deform::{Deformed, deform};
+use self::document::parsed;
 use self::edges::{Corners, EdgeExtensions, PrimitiveEdges};
 use self::nodes::{Placed, Placements, Transform, at_element, missing};
 use super::Beside;
@@ -65,15 +67,12 @@ pub(super) fn read(
     progress: &dyn Progress,
 ) -> Result<LabelledMesh, Located> {
     let (json, blob) = buffers::split(bytes)?;
-    let root: Root = ::gltf::json::deserialize::from_slice(json).map_err(|error| {
-        let found = error.to_string();
-        Problem::Expected { expected: "a glTF 2.0 document", found }.at_line(error.line() as u64)
-    })?;
+    let root: Root = parsed(json, "a glTF 2.0 document", progress)?;
     extensions::check(&root.extensions_required)?;
-    let edges = EdgeExtensions::of(json, &root)?;
+    let edges = EdgeExtensions::of(json, &root, progress)?;
     let (mut buffers, mut assembly) = (Buffers::new(blob, beside), Assembly::new(placing));
     let most = limit(bytes.len() as u64) / size_of::<Placed>() as u64;
-    let placed = Placements::of(json)?.of_scene(&root, &mut buffers, &mut assembly.parts, most)?;
+    let placed = Placements::of(json, progress)?.of_scene(&root, &mut buffers, &mut assembly.parts, most)?;
     progress.stage("assembling meshes", placed.len() as u64);
     let mut scene = SceneReader { root: &root, edges: &edges, buffers, assembly, faces: 0 };
     scene.check_unfolding(&placed, bytes.len() as u64)?;

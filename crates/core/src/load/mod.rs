@@ -30,7 +30,7 @@
 //! | glTF | its buffers, and a mesh of at most 16 n + 256 MiB: a document may place one mesh, or read one accessor, many times | O(n + mesh) |
 //!
 //! What would take more is refused before memory is taken for it. [`load_labelled_within`] bounds n, by which all of this is bounded.
-//! A [`Progress`] is asked every 256 KiB, or between placed meshes.
+//! A [`Progress`] is asked every 256 KiB, those of a glTF document included, and between placed meshes.
 //!
 //! Cost: O(bytes), one pass (a second one where rows are broken; for a concave polygon of n corners O(n log n) in most
 //! cases, bounded by 1024 steps per corner), 150 MB/s of text or more on one core (350 MB/s of short OBJ rows).
@@ -210,7 +210,7 @@ fn read_once(
         Format::Stl => stl::read(bytes, placing, &mut steps),
         #[cfg(feature = "gltf")]
         Format::Gltf => {
-            // Parsed in one go, and assembled in a stage of its own.
+            // Parsed as one, and assembled in a stage of its own.
             steps.report(bytes.len())?;
             return gltf::read(bytes, beside, placing, progress);
         }

@@ -59,3 +59,20 @@ fn loading_cancelled_while_reading_stops_before_parsing() {
     assert!(load_with_progress(&path, &progress).unwrap_err().is_cancelled());
     assert_eq!(progress.stages(), [("reading".to_owned(), 16)]);
 }
+
+/// The JSON of a glTF document, of which the nodes alone are megabytes: cancelled in the middle, before any mesh is put together.
+#[test]
+fn parsing_a_gltf_document_stops_soon_after_cancellation() {
+    let nodes = r#"{"name":"part","translation":[0.5,1.25,-3.5]},"#.repeat(50_000);
+    let json = format!(r#"{{"asset":{{"version":"2.0"}},"nodes":[{nodes}{{}}]}}"#);
+    let pieces = json.len() as u64 / (256 * 1024);
+    assert!(pieces > 5);
+    let read_until = |polls| read(Format::Gltf, "large", json.as_bytes(), &Cancelling::at_poll(polls));
+    for polls in [0, pieces / 2, pieces, 2 * pieces] {
+        let error = read_until(polls).unwrap_err();
+        assert!(error.is_cancelled(), "{polls}: {error}");
+    }
+    // Read twice, once for transforms, and asked little more often: it is a mesh without faces.
+    let read = read_until(2 * pieces + 20);
+    assert!(!read.is_err_and(|error| error.is_cancelled()), "asked {pieces} times for each reading");
+}

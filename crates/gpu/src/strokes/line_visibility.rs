@@ -51,14 +51,12 @@ impl DepthScale {
         } else {
             (0.0, TOLERANCE, TOLERANCE)
         };
-        let (direction, nearest, clear_depth) = match view.depth_direction() {
-            DepthDirection::Standard => (1.0, 0.0, 1.0),
-            DepthDirection::Reversed => (-1.0, 1.0, 0.0),
+        let (direction, clear_depth) = match view.depth_direction() {
+            DepthDirection::Standard => (1.0, 1.0),
+            DepthDirection::Reversed => (-1.0, 0.0),
         };
-        let [p, _, r, s] = law.depth_of_value_terms();
-        // 0 at the near plane, to the last bit.
-        let slope = (p - range.near * r) / unit;
-        let terms = [slope, -slope * nearest, r, s];
+        let [p, q, r, s] = law.depth_beyond_near_terms();
+        let terms = [p / unit, q / unit, r, s];
         let largest = terms[2].abs().max(terms[3].abs());
         // Half a step is the rounding of the value; hardware may round the interpolation as much again.
         let (away_scale, away_step) = match format {

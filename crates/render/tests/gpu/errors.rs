@@ -84,3 +84,64 @@ fn what_cannot_be_read_back_says_so() {
     let target = Target::new(gpu, [4, 4], TargetFormats { color, ..DEFAULT_FORMATS }).unwrap();
     assert!(matches!(target.read_color(gpu), Err(GpuError::ColorFormat(_))));
 }
+
+/// A texture within all limits of which no machine has the memory: an error that says what to do, and the device goes on.
+#[test]
+fn memory_that_is_not_there_is_an_error_and_the_device_goes_on() {
+    let Some(gpu) = gpu_or_skip("memory_that_is_not_there_is_an_error_and_the_device_goes_on") else { return };
+    let limits = gpu.device().limits();
+    let side = limits.max_texture_dimension_2d;
+    let size = wgpu::Extent3d { width: side, height: side, depth_or_array_layers: limits.max_texture_array_layers };
+    let texture = |size| {
+        gpu.scoped(|| {
+            gpu.device().create_texture(&wgpu::TextureDescriptor {
+                label: Some("all there is"),
+                size,
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: wgpu::TextureFormat::Rgba32Float,
+                usage: wgpu::TextureUsages::TEXTURE_BINDING,
+                view_formats: &[],
+            })
+        })
+    };
+    let error = texture(size).map(drop).unwrap_err();
+    assert!(matches!(error, GpuError::OutOfMemory), "{error}");
+    assert!(error.to_string().contains("use a smaller size"), "{error}");
+    gpu.check().unwrap();
+    texture(wgpu::Extent3d { width: 4, height: 4, depth_or_array_layers: 1 }).unwrap();
+}
+
+/// A shader that is no WGSL, and a pipeline whose entry point is missing: an error that names them, and the device goes on.
+#[test]
+fn a_shader_that_fails_is_an_error_and_the_device_goes_on() {
+    let Some(gpu) = gpu_or_skip("a_shader_that_fails_is_an_error_and_the_device_goes_on") else { return };
+    let pipeline = |wgsl: &'static str, entry: &'static str| {
+        gpu.scoped(|| {
+            let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("a caller's own"),
+                source: wgpu::ShaderSource::Wgsl(wgsl.into()),
+            });
+            gpu.device().create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some("a caller's own"),
+                layout: None,
+                module: &module,
+                entry_point: Some(entry),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                cache: None,
+            })
+        })
+    };
+    let good = "@compute @workgroup_size(1) fn run() {}";
+    for (wgsl, entry) in [
+        ("@compute fn run( {", "run"),
+        ("@compute @workgroup_size(1) fn run() { let a: f32 = 1u; }", "run"),
+        (good, "walk"),
+    ] {
+        let error = pipeline(wgsl, entry).map(drop).unwrap_err();
+        assert!(matches!(&error, GpuError::Validation(text) if text.contains("a caller's own")), "{error}");
+        gpu.check().unwrap();
+    }
+    pipeline(good, "run").unwrap();
+}

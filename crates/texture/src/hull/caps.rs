@@ -6,13 +6,22 @@
 
 use glam::DVec3;
 use silhouette_core::glam;
-use silhouette_core::{DisjointSets, Topology, TriangleMesh};
+use silhouette_core::{Cancelled, DisjointSets, Progress, Topology, TriangleMesh};
 use std::collections::BTreeMap;
 
 /// The mesh with caps over those of its holes whose boxes have no side longer than `widest`, in object units; `None` if there
 /// is none. O(F log F).
-pub(super) fn capped(mesh: &TriangleMesh, widest: f64) -> Option<TriangleMesh> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(super) fn capped(
+    mesh: &TriangleMesh,
+    widest: f64,
+    progress: &dyn Progress,
+) -> Result<Option<TriangleMesh>, Cancelled> {
+    progress.check()?;
     let topology = Topology::new(mesh);
+    progress.check()?;
     let edges = topology.edges().iter().filter(|&(edge, [a, b])| a != b && topology.half_edges(edge).len() == 1);
     let edges: Vec<[u32; 2]> = edges.map(|(_, &edge)| edge).collect();
     let mut connected = DisjointSets::new(mesh.vertex_count());
@@ -25,6 +34,7 @@ pub(super) fn capped(mesh: &TriangleMesh, widest: f64) -> Option<TriangleMesh> {
     }
     let (mut positions, mut triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
     for hole in holes.values() {
+        progress.check()?;
         let places = || hole.as_flattened().iter().map(|&vertex| mesh.positions()[vertex as usize].as_dvec3());
         let (min, max) =
             places().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(min, max), p| (min.min(p), max.max(p)));
@@ -35,14 +45,14 @@ pub(super) fn capped(mesh: &TriangleMesh, widest: f64) -> Option<TriangleMesh> {
         }
     }
     // Beyond the ids of a mesh, none is capped.
-    (triangles.len() > mesh.face_count()).then(|| TriangleMesh::new(positions, triangles).ok()).flatten()
+    Ok((triangles.len() > mesh.face_count()).then(|| TriangleMesh::new(positions, triangles).ok()).flatten())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use silhouette_core::inspect::inspect;
-    use silhouette_core::shapes;
+    use silhouette_core::{NoProgress, shapes};
     use silhouette_testing::edits::keeping;
 
     #[test]
@@ -50,10 +60,10 @@ mod tests {
         let ball = shapes::by_name("icosphere:3").unwrap();
         let holes = [3, 700];
         let open = keeping(&ball, |face| !holes.contains(&face));
-        let closed = capped(&open, 0.5).unwrap();
+        let closed = capped(&open, 0.5, &NoProgress).unwrap().unwrap();
         let found = inspect(&closed, &Topology::new(&closed));
         assert!(found.is_closed && found.euler_characteristic == 2, "{found:?}");
-        assert!(capped(&open, 1e-3).is_none());
-        assert!(capped(&ball, 0.5).is_none());
+        assert!(capped(&open, 1e-3, &NoProgress).unwrap().is_none());
+        assert!(capped(&ball, 0.5, &NoProgress).unwrap().is_none());
     }
 }

@@ -19,6 +19,9 @@ use std::collections::BinaryHeap;
 /// Least cosine between the normals of a face before and after a collapse.
 const TURN: f64 = 0.3;
 
+/// Faces whose boxes and edges are listed, before the next question whether to stop: some milliseconds.
+const FACES_BETWEEN_CHECKS: usize = 1024;
+
 /// A closed manifold with at most `vertices` vertices where checks permit, or more. The same bits for any number of threads.
 /// Expected O(V log V + V log F) for V vertices of `hull` and F faces of the object.
 pub(super) fn collapsed(
@@ -27,7 +30,7 @@ pub(super) fn collapsed(
     vertices: usize,
     progress: &dyn Progress,
 ) -> Result<TriangleMesh, Cancelled> {
-    let mut collapses = Collapses::new(hull, object, vertices);
+    let mut collapses = Collapses::new(hull, object, vertices, progress)?;
     while collapses.left > vertices
         && let Some(candidate) = collapses.heap.pop()
     {
@@ -65,7 +68,12 @@ struct Collapses<'a> {
 }
 
 impl<'a> Collapses<'a> {
-    fn new(hull: &TriangleMesh, object: &'a MeshHierarchy, vertices: usize) -> Self {
+    fn new(
+        hull: &TriangleMesh,
+        object: &'a MeshHierarchy,
+        vertices: usize,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
         let origin = hull.bounds().map_or(DVec3::ZERO, |bounds| bounds.center);
         let mut collapses = Self {
             object,
@@ -80,6 +88,9 @@ impl<'a> Collapses<'a> {
             left: hull.vertex_count(),
         };
         for (face, triangle) in hull.triangles().iter().enumerate() {
+            if face % FACES_BETWEEN_CHECKS == 0 {
+                progress.check()?;
+            }
             let quadric = Quadric::of_face(triangle.map(|vertex| collapses.place(vertex)));
             collapses.boxes.set(face as u32, Some(box_of(collapses.corners(*triangle))));
             for &vertex in triangle {
@@ -87,7 +98,10 @@ impl<'a> Collapses<'a> {
                 collapses.quadrics[vertex as usize] = collapses.quadrics[vertex as usize].plus(&quadric);
             }
         }
-        for &[a, b, c] in hull.triangles() {
+        for (face, &[a, b, c]) in hull.triangles().iter().enumerate() {
+            if face % FACES_BETWEEN_CHECKS == 0 {
+                progress.check()?;
+            }
             for edge in [[a, b], [b, c], [c, a]] {
                 // Each edge is met from both sides.
                 if edge[0] < edge[1] {
@@ -95,7 +109,7 @@ impl<'a> Collapses<'a> {
                 }
             }
         }
-        collapses
+        Ok(collapses)
     }
 
     fn place(&self, vertex: u32) -> DVec3 {

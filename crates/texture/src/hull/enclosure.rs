@@ -17,8 +17,8 @@ use crate::hull::self_contact::meets;
 use crate::hull::touching::touches;
 use crate::hull::winding_number::winding_number;
 use rayon::prelude::*;
-use silhouette_core::inspect::{Inspection, inspect};
-use silhouette_core::{DisjointSets, FaceId, Topology, TriangleMesh, VertexId};
+use silhouette_core::inspect::{Inspection, inspect_with_progress};
+use silhouette_core::{Cancelled, DisjointSets, FaceId, NoProgress, Progress, Quiet, Topology, TriangleMesh, VertexId};
 use silhouette_rays::MeshHierarchy;
 
 /// What keeps a mesh from being the hull of an object.
@@ -114,13 +114,24 @@ const EDGES_PER_TASK: usize = 1024;
 
 impl<'a> Enclosed<'a> {
     /// Prepares an object. O(F log F).
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(mesh: &'a TriangleMesh) -> Self {
+        Self::with_progress(mesh, &NoProgress).expect("nobody cancels")
+    }
+
+    /// Like [`new`](Self::new), but stops between its steps when `progress` asks to.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn with_progress(mesh: &'a TriangleMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        progress.check()?;
         let mut connected = connected_vertices(mesh);
         let mut parts: Vec<u32> = mesh.triangles().iter().map(|&[vertex, _, _]| connected.find(vertex)).collect();
         parts.sort_unstable();
         parts.dedup();
+        progress.check()?;
         let edges = Topology::new(mesh).edges().as_slice().to_vec();
-        Self { mesh, hierarchy: MeshHierarchy::new(mesh), edges, parts }
+        Ok(Self { mesh, hierarchy: MeshHierarchy::with_progress(mesh, progress)?, edges, parts })
     }
 
     /// The object's mesh.
@@ -135,23 +146,33 @@ impl<'a> Enclosed<'a> {
 
     /// Tests a hull. The same for any number of threads. Expected O((E + H) log(F + H)) for E edges and F faces of the object
     /// and H of the hull, parallel.
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn by(&self, hull: &TriangleMesh) -> Enclosure {
+        self.by_with_progress(hull, &NoProgress).expect("nobody cancels")
+    }
+
+    /// Like [`by`](Self::by), but stops when `progress` asks to.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn by_with_progress(&self, hull: &TriangleMesh, progress: &dyn Progress) -> Result<Enclosure, Cancelled> {
+        progress.check()?;
         let topology = Topology::new(hull);
-        let inspection = inspect(hull, &topology);
+        let inspection = inspect_with_progress(hull, &topology, &Quiet(progress))?;
         if let Some(defect) = defect(&inspection, &topology) {
-            return Enclosure { first: Some(defect), ..Enclosure::default() };
+            return Ok(Enclosure { first: Some(defect), ..Enclosure::default() });
         }
-        let hierarchy = MeshHierarchy::new(hull);
+        let hierarchy = MeshHierarchy::with_progress(hull, progress)?;
         let hull_edges = topology.edges().as_slice();
-        let on_itself = contacts(hull_edges, |edge| self_contact(hull, &hierarchy, edge));
-        let of_object = contacts(&self.edges, |edge| contact(self.mesh, edge, &hierarchy));
-        let of_hull = contacts(hull_edges, |edge| contact(hull, edge, &self.hierarchy));
-        let outside = self.parts_outside(hull, &hierarchy);
+        let on_itself = contacts(hull_edges, progress, |edge| self_contact(hull, &hierarchy, edge))?;
+        let of_object = contacts(&self.edges, progress, |edge| contact(self.mesh, edge, &hierarchy))?;
+        let of_hull = contacts(hull_edges, progress, |edge| contact(hull, edge, &self.hierarchy))?;
+        let outside = self.parts_outside(hull, &hierarchy, progress)?;
         let in_self = on_itself.first.map(|(edge, face)| Offence::SelfContact { edge, face });
         let in_hull = of_object.first.map(|(edge, face)| Offence::ObjectEdge { edge, face });
         let in_object = of_hull.first.map(|(edge, face)| Offence::HullEdge { edge, face });
         let nested = || nested(hull, &inspection, &hierarchy).map(Offence::Nested);
-        Enclosure {
+        Ok(Enclosure {
             object_edges: of_object.count,
             hull_edges: of_hull.count,
             self_contacts: on_itself.count,
@@ -161,16 +182,22 @@ impl<'a> Enclosed<'a> {
                 .or(in_object)
                 .or_else(nested)
                 .or_else(|| outside.first().map(|&vertex| Offence::Outside(VertexId::new(vertex)))),
-        }
+        })
     }
 
     /// The vertices, one for each part, around which the hull does not wind once.
-    fn parts_outside(&self, hull: &TriangleMesh, hierarchy: &MeshHierarchy) -> Vec<u32> {
-        let is_outside = |&vertex: &u32| {
+    fn parts_outside(
+        &self,
+        hull: &TriangleMesh,
+        hierarchy: &MeshHierarchy,
+        progress: &dyn Progress,
+    ) -> Result<Vec<u32>, Cancelled> {
+        let is_outside = |vertex: u32| {
+            progress.check()?;
             let point = self.mesh.positions()[vertex as usize];
-            winding_number(hull, hierarchy, point, |_| true) != Some(1)
+            Ok((winding_number(hull, hierarchy, point, |_| true) != Some(1)).then_some(vertex))
         };
-        self.parts.par_iter().copied().filter(is_outside).collect()
+        self.parts.par_iter().copied().filter_map(|vertex| is_outside(vertex).transpose()).collect()
     }
 }
 
@@ -224,19 +251,24 @@ struct Contacts {
 }
 
 /// Those of the edges for which `contact` yields a face.
-fn contacts(edges: &[[u32; 2]], contact: impl Fn([u32; 2]) -> Option<FaceId> + Sync) -> Contacts {
+fn contacts(
+    edges: &[[u32; 2]],
+    progress: &dyn Progress,
+    contact: impl Fn([u32; 2]) -> Option<FaceId> + Sync,
+) -> Result<Contacts, Cancelled> {
     let of_task = |edges: &[[u32; 2]]| {
-        edges.iter().fold(Contacts::default(), |mut contacts, &edge| {
+        progress.check()?;
+        Ok(edges.iter().fold(Contacts::default(), |mut contacts, &edge| {
             if let Some(face) = contact(edge) {
                 contacts.count += 1;
                 contacts.first = contacts.first.or(Some((edge.map(VertexId::new), face)));
             }
             contacts
-        })
+        }))
     };
-    let tasks: Vec<Contacts> = edges.par_chunks(EDGES_PER_TASK).map(of_task).collect();
+    let tasks: Vec<Contacts> = edges.par_chunks(EDGES_PER_TASK).map(of_task).collect::<Result<_, Cancelled>>()?;
     let join = |a: Contacts, b: Contacts| Contacts { count: a.count + b.count, first: a.first.or(b.first) };
-    tasks.into_iter().fold(Contacts::default(), join)
+    Ok(tasks.into_iter().fold(Contacts::default(), join))
 }
 
 /// The lowest face of a hierarchy that an edge of a mesh touches.

@@ -7,6 +7,7 @@ use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 use silhouette_core::glam;
 use silhouette_core::mesh::Bounds;
+use silhouette_core::{Cancelled, Progress};
 use silhouette_rays::MeshHierarchy;
 
 /// Side of the blocks in which nodes are classified together.
@@ -64,19 +65,26 @@ impl Lattice {
 
     /// The nodes closer than `offset` to a mesh. Distances are only measured near the border of that set, in blocks of which
     /// one distance bounds all.
-    pub(super) fn within(&self, mesh: &MeshHierarchy, offset: f64) -> Nodes {
+    pub(super) fn within(
+        &self,
+        mesh: &MeshHierarchy,
+        offset: f64,
+        progress: &dyn Progress,
+    ) -> Result<Nodes, Cancelled> {
         let mut nodes = Nodes::none(self.size);
         let columns = self.size.map(|side| side.div_ceil(BLOCK));
         let of_column = |column: u32| {
             let mut rows = Nodes::none(UVec3::new(self.size.x, BLOCK, BLOCK));
             let start = UVec3::new(0, column % columns.y, column / columns.y) * BLOCK;
             for block in 0..columns.x {
+                progress.check()?;
                 let of = Classified { lattice: self, mesh, offset, start };
                 of.mark(start + UVec3::X * (block * BLOCK), BLOCK, &mut rows);
             }
-            rows
+            Ok(rows)
         };
-        let found: Vec<Nodes> = (0..columns.y * columns.z).into_par_iter().map(of_column).collect();
+        let found: Vec<Nodes> =
+            (0..columns.y * columns.z).into_par_iter().map(of_column).collect::<Result<_, Cancelled>>()?;
         for (column, rows) in (0..).zip(found) {
             let (y, z) = (column % columns.y * BLOCK, column / columns.y * BLOCK);
             for (dy, dz) in (0..BLOCK * BLOCK).map(|row| (row % BLOCK, row / BLOCK)) {
@@ -87,7 +95,7 @@ impl Lattice {
                 }
             }
         }
-        nodes
+        Ok(nodes)
     }
 }
 

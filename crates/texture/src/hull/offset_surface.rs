@@ -9,12 +9,13 @@
 //! surface is a closed manifold, whatever the object. Lattice and distances are computed in 64 bits; vertices are rounded once.
 
 use crate::hull::lattice::{Lattice, Node, Nodes};
+use crate::hull::layered::Layered;
 use crate::hull::outside::not_outside;
 use glam::UVec3;
 use rayon::prelude::*;
 use silhouette_core::glam;
 use silhouette_core::mesh::Bounds;
-use silhouette_core::{TriangleMesh, glam::DVec3};
+use silhouette_core::{Cancelled, Progress, TriangleMesh, glam::DVec3};
 use silhouette_rays::MeshHierarchy;
 
 /// Side of a lattice cube as a share of the offset. The side is the diameter of a tetrahedron. As it is less than the offset,
@@ -30,6 +31,9 @@ pub const MAX_FACES: usize = 1 << 23;
 /// Least and most share of a lattice edge at which it is cut. Keeps vertices near a node apart.
 const CUT: [f64; 2] = [0.05, 0.95];
 
+/// Distances that a task measures before it asks again: some milliseconds.
+const DISTANCES_BETWEEN_CHECKS: usize = 1024;
+
 /// Why there is no surface at an offset.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -40,6 +44,9 @@ pub enum OffsetError {
     /// A vertex would have a coordinate that is not a finite 32-bit float.
     #[error("an offset of {0} reaches beyond the 32-bit floats")]
     TooFar(f64),
+    /// The work was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// The surface at a distance from a mesh of the given bounds, wound counter-clockwise seen from outside. A closed manifold;
@@ -56,53 +63,77 @@ pub fn offset_surface(
     bounds: &Bounds,
     offset: f64,
     most_faces: usize,
+    progress: &dyn Progress,
 ) -> Result<TriangleMesh, OffsetError> {
     let lattice = Lattice::around(bounds, offset, CELL * offset, MAX_NODES).ok_or(OffsetError::TooFine(offset))?;
-    let inside = not_outside(&lattice.within(mesh, offset));
+    let inside = not_outside(&lattice.within(mesh, offset, progress)?, progress)?;
     let size = lattice.size();
     let of_layer = |z: u32| {
+        progress.check()?;
         let mut triangles = Vec::new();
-        for y in 1..size.y - 1 {
-            cut_row(&lattice, &inside, y, z, &mut triangles);
+        // The outermost have none.
+        if z > 0 && z < size.z - 1 {
+            (1..size.y - 1).for_each(|y| cut_row(&lattice, &inside, y, z, &mut triangles));
         }
-        triangles
+        Ok(triangles)
     };
-    let layers: Vec<Vec<[Cut; 3]>> = (1..size.z - 1).into_par_iter().map(of_layer).collect();
+    let layers: Vec<Vec<[Cut; 3]>> = (0..size.z).into_par_iter().map(of_layer).collect::<Result<_, Cancelled>>()?;
     if layers.iter().map(Vec::len).sum::<usize>() > most_faces.min(MAX_FACES) {
         return Err(OffsetError::TooFine(offset));
     }
-    let triangles = layers.concat();
-    let mut cuts = triangles.as_flattened().to_vec();
-    cuts.par_sort_unstable();
-    cuts.dedup();
-    let find = |cut: Cut| cuts.binary_search(&cut).map_or(0, |index| index as u32);
-    let numbered: Vec<[u32; 3]> = triangles.par_iter().map(|triangle| triangle.map(find)).collect();
-    TriangleMesh::new(places(&lattice, mesh, offset, &cuts), numbered).map_err(|_| OffsetError::TooFar(offset))
+    let cuts = Layered::of(&lattice, &layers, |[inner, _]: Cut| inner, |triangle| *triangle, progress)?;
+    let numbered: Vec<Vec<[u32; 3]>> = layers
+        .par_iter()
+        .map(|triangles| {
+            progress.check()?;
+            Ok(triangles.iter().map(|triangle| triangle.map(|cut| cuts.number(cut))).collect())
+        })
+        .collect::<Result<_, Cancelled>>()?;
+    let places = places(&lattice, mesh, offset, &cuts, progress)?;
+    TriangleMesh::new(places, numbered.concat()).map_err(|_| OffsetError::TooFar(offset))
 }
 
 /// A lattice edge that is cut: the numbers of its inner and its outer node.
 type Cut = [u32; 2];
 
 /// Where edges are cut: the distances at their ends are interpolated linearly.
-fn places(lattice: &Lattice, mesh: &MeshHierarchy, offset: f64, cuts: &[Cut]) -> Vec<glam::Vec3> {
-    let mut nodes = cuts.as_flattened().to_vec();
-    nodes.par_sort_unstable();
-    nodes.dedup();
+fn places(
+    lattice: &Lattice,
+    mesh: &MeshHierarchy,
+    offset: f64,
+    cuts: &Layered<Cut>,
+    progress: &dyn Progress,
+) -> Result<Vec<glam::Vec3>, Cancelled> {
+    let nodes = Layered::of(lattice, &cuts.layers, |node: u32| node, |cut| *cut, progress)?;
     // No tetrahedron is longer than a cube.
     let farthest = offset * (1.0 + 2.0 * CELL);
     let distance =
         |&number: &u32| mesh.nearest(lattice.place(lattice.node(number)), farthest).map_or(farthest, |at| at.distance);
-    let distances: Vec<f64> = nodes.par_iter().map(distance).collect();
+    let of_layer = |nodes: &Vec<u32>| {
+        let mut distances = Vec::with_capacity(nodes.len());
+        for nodes in nodes.chunks(DISTANCES_BETWEEN_CHECKS) {
+            progress.check()?;
+            distances.extend(nodes.iter().map(distance));
+        }
+        Ok(distances)
+    };
+    let distances: Vec<Vec<f64>> = nodes.layers.par_iter().map(of_layer).collect::<Result<_, Cancelled>>()?;
+    let distances = distances.concat();
     let end = |number: u32| {
         let place: DVec3 = lattice.place(lattice.node(number));
-        (place, nodes.binary_search(&number).map_or(farthest, |index| distances[index]))
+        (place, distances[nodes.number(number) as usize])
     };
     let place = |&[inner, outer]: &Cut| {
         let ((from, near), (to, far)) = (end(inner), end(outer));
         let share = ((offset - near) / (far - near)).clamp(CUT[0], CUT[1]);
         from.lerp(to, share).as_vec3()
     };
-    cuts.par_iter().map(place).collect()
+    let of_layer = |cuts: &Vec<Cut>| {
+        progress.check()?;
+        Ok(cuts.iter().map(place).collect())
+    };
+    let places: Vec<Vec<glam::Vec3>> = cuts.layers.par_iter().map(of_layer).collect::<Result<_, Cancelled>>()?;
+    Ok(places.concat())
 }
 
 /// Cuts the tetrahedra at the corners of a row. Those of a corner lie around the three edges that leave it along the axes; four
@@ -181,13 +212,14 @@ mod tests {
     use glam::Vec3;
     use proptest::prelude::*;
     use silhouette_core::inspect::{Inspection, inspect};
-    use silhouette_core::{Topology, shapes};
+    use silhouette_core::{NoProgress, Topology, shapes};
+    use silhouette_testing::progress::Cancelling;
     use silhouette_testing::strategies::soup;
     use silhouette_testing::threads::with_threads;
     use silhouette_testing::{edits, zoo};
 
     fn surface(mesh: &TriangleMesh, offset: f64) -> TriangleMesh {
-        offset_surface(&MeshHierarchy::new(mesh), &mesh.bounds().unwrap(), offset, MAX_FACES).unwrap()
+        offset_surface(&MeshHierarchy::new(mesh), &mesh.bounds().unwrap(), offset, MAX_FACES, &NoProgress).unwrap()
     }
 
     fn inspected(mesh: &TriangleMesh) -> Inspection {
@@ -265,7 +297,7 @@ mod tests {
     fn offsets_that_are_too_fine_or_too_far_are_refused() {
         let ball = shapes::by_name("icosphere:1").unwrap();
         let refused = |mesh: &TriangleMesh, offset: f64, most: usize| {
-            offset_surface(&MeshHierarchy::new(mesh), &mesh.bounds().unwrap(), offset, most).unwrap_err()
+            offset_surface(&MeshHierarchy::new(mesh), &mesh.bounds().unwrap(), offset, most, &NoProgress).unwrap_err()
         };
         assert_eq!(refused(&ball, 1e-6, MAX_FACES), OffsetError::TooFine(1e-6));
         assert_eq!(refused(&ball, 0.1, 100), OffsetError::TooFine(0.1));
@@ -278,6 +310,23 @@ mod tests {
         let blob = shapes::by_name("blob:3000").unwrap();
         let [one, four] = [1, 4].map(|count| with_threads(count, || surface(&blob, 0.05)));
         assert_eq!(one, four);
+    }
+
+    /// Each of its steps asks in each layer, so that none is long whatever the number of faces; cancelled in any, it stops.
+    #[test]
+    fn every_step_asks_and_stops() {
+        let blob = shapes::by_name("blob:3000").unwrap();
+        let (hierarchy, bounds) = (MeshHierarchy::new(&blob), blob.bounds().unwrap());
+        let offset = 0.05;
+        let layers = Lattice::around(&bounds, offset, CELL * offset, MAX_NODES).unwrap().size().z;
+        let stopped_at = |poll: u32| {
+            let cancelling = Cancelling::at_poll(u64::from(poll));
+            offset_surface(&hierarchy, &bounds, offset, MAX_FACES, &cancelling)
+        };
+        for steps in 0..6 {
+            assert_eq!(stopped_at(steps * (layers - 2)), Err(OffsetError::Cancelled(Cancelled)), "{steps}");
+        }
+        assert!(stopped_at(u32::MAX).is_ok());
     }
 
     proptest! {

@@ -4,23 +4,29 @@
 //! 64 to a word. Cavities, which no sweep reaches, count as inside from then on.
 
 use crate::hull::lattice::Nodes;
+use silhouette_core::{Cancelled, Progress};
 
 /// All nodes that are not outside, given those within the offset. None of the outermost may be within it. O(nodes / 64) per
 /// sweep; shapes without labyrinths take a few.
-pub(super) fn not_outside(within: &Nodes) -> Nodes {
+pub(super) fn not_outside(within: &Nodes, progress: &dyn Progress) -> Result<Nodes, Cancelled> {
     let mut inside = all_but_the_border(within);
-    let size = within.size();
-    let rows: Vec<(u32, u32)> = (1..size.z - 1).flat_map(|z| (1..size.y - 1).map(move |y| (y, z))).collect();
+    let (rows, layers) = (1..within.size().y - 1, 1..within.size().z - 1);
     loop {
         let mut is_changed = false;
-        for &(y, z) in &rows {
-            is_changed |= update(&mut inside, within, y, z);
+        for z in layers.clone() {
+            progress.check()?;
+            for y in rows.clone() {
+                is_changed |= update(&mut inside, within, y, z);
+            }
         }
-        for &(y, z) in rows.iter().rev() {
-            is_changed |= update(&mut inside, within, y, z);
+        for z in layers.clone().rev() {
+            progress.check()?;
+            for y in rows.clone().rev() {
+                is_changed |= update(&mut inside, within, y, z);
+            }
         }
         if !is_changed {
-            return inside;
+            return Ok(inside);
         }
     }
 }

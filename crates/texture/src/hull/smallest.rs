@@ -4,7 +4,7 @@ use crate::hull::caps::capped;
 use crate::hull::coarsen::coarsened;
 use crate::hull::collapse::collapsed;
 use crate::hull::enclosure::{Enclosed, Enclosure};
-use crate::hull::offset_surface::offset_surface;
+use crate::hull::offset_surface::{OffsetError, offset_surface};
 use crate::hull::{Failure, Hull, HullError};
 use silhouette_core::mesh::Bounds;
 use silhouette_core::origin::largest_rounding;
@@ -21,6 +21,9 @@ pub const MOST_OFFSET: f64 = 4.0;
 
 /// The offset found is at most this many times one that fails.
 pub const PRECISION: f64 = 1.05;
+
+/// How far from the object's box a hull and distances to it have to fit 32-bit floats, in radii of the bounding sphere.
+const REACH: f64 = 8.0;
 
 /// First offset tried, as a share of the radius.
 const FIRST_OFFSET: f64 = 1.0 / 16.0;
@@ -78,14 +81,24 @@ impl Hull {
         }
         let bounds = object.bounds().filter(|bounds| bounds.radius > 0.0).ok_or(HullError::NoExtent)?;
         let (step, radius) = (2.0 * largest_rounding(object), bounds.radius);
+        // Wherever positions count from, no two are closer than the smallest number.
+        if f64::from(f32::from_bits(1)) > LEAST_OFFSET * radius {
+            return Err(HullError::TooSmall { radius });
+        }
         if step > LEAST_OFFSET * radius {
             return Err(HullError::TooFar { step, radius });
         }
+        // Distances through the hull are kept in 32 bits, and offsets tried until one holds.
+        let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
+        if farthest + REACH * radius > f64::from(f32::MAX) {
+            return Err(HullError::TooLarge { radius });
+        }
         progress.stage("hull", 0);
         progress.check()?;
-        let capped = capped(object, options.closed_holes * bounds.radius);
-        let shaping = capped.as_ref().map(MeshHierarchy::new);
-        let search = Search { object: Enclosed::new(object), bounds, vertices, most_faces, shaping, progress };
+        let capped = capped(object, options.closed_holes * bounds.radius, progress)?;
+        let shaping = capped.map(|capped| MeshHierarchy::with_progress(&capped, progress)).transpose()?;
+        let object = Enclosed::with_progress(object, progress)?;
+        let search = Search { object, bounds, vertices, most_faces, shaping, progress };
         search.run()
     }
 }
@@ -145,8 +158,11 @@ impl Search<'_> {
     fn attempt(&self, share: f64) -> Result<Result<Found, Failure>, HullError> {
         self.progress.check()?;
         let offset = share * self.bounds.radius;
-        let surface = offset_surface(self.shaping(), &self.bounds, offset, self.most_faces);
-        let Ok(surface) = surface else { return Ok(Err(Failure::Unsupported)) };
+        let surface = match offset_surface(self.shaping(), &self.bounds, offset, self.most_faces, self.progress) {
+            Ok(surface) => surface,
+            Err(OffsetError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            Err(OffsetError::TooFine(_) | OffsetError::TooFar(_)) => return Ok(Err(Failure::Unsupported)),
+        };
         let result = self.hull_of(surface, share)?;
         self.progress.advance(1);
         Ok(result)
@@ -158,8 +174,8 @@ impl Search<'_> {
         for times in TIMES {
             self.progress.check()?;
             let vertices = self.vertices.max(COARSE).saturating_mul(times);
-            match coarsened(&hull, vertices) {
-                Ok(coarse) if self.object.by(&coarse).is_proved() => hull = coarse,
+            match coarsened(&hull, vertices, self.progress)? {
+                Ok(coarse) if self.object.by_with_progress(&coarse, self.progress)?.is_proved() => hull = coarse,
                 _ => break,
             }
         }
@@ -167,7 +183,7 @@ impl Search<'_> {
         if hull.vertex_count() > self.vertices {
             return Ok(Err(Failure::Vertices(hull.vertex_count())));
         }
-        let enclosure = self.object.by(&hull);
+        let enclosure = self.object.by_with_progress(&hull, self.progress)?;
         Ok(match enclosure.first {
             None => Ok(Found { hull, enclosure, share, faces }),
             Some(offence) => Err(Failure::Offence(offence)),

@@ -125,6 +125,35 @@ fn an_object_among_positions_that_are_too_far_apart_is_refused_unless_they_count
     assert!(enclosing(&near, 100).is_ok());
 }
 
+/// The smallest numbers that there are, and the largest: a hull, or what to do. Close to either end, hulls are those of a usual cube
+/// but for the last bits.
+#[test]
+fn objects_at_the_ends_of_32_bit_floats_have_a_hull_or_are_refused_with_what_to_do() {
+    let share = |side: f64| {
+        let cube = transformed(&builtin("cube"), side / 2.0, DVec3::ZERO);
+        enclosing(&cube, 24).map(|hull| hull.offset().unwrap() / cube.bounds().unwrap().radius)
+    };
+    let usual = share(1.0).unwrap();
+    for side in [1e-41, 1e-36, 1e37] {
+        let found = share(side).unwrap_or_else(|error| panic!("{side}: {error}"));
+        assert!((found / usual - 1.0).abs() < 0.01, "{side}: {found} for {usual}");
+    }
+    let small = share(1e-42).unwrap_err();
+    assert!(
+        matches!(small, HullError::TooSmall { .. }) && small.to_string().contains("scale it by a million"),
+        "{small}"
+    );
+    let far = moved(&builtin("cube"), Vec3::splat(1e5));
+    assert!(matches!(enclosing(&far, 24), Err(HullError::TooFar { .. })), "that an origin mends");
+    let large = share(3e38).unwrap_err();
+    assert!(
+        matches!(large, HullError::TooLarge { .. }) && large.to_string().contains("scale it by a thousandth"),
+        "{large}"
+    );
+    let at_the_end = moved(&transformed(&builtin("cube"), 2.5e37, DVec3::ZERO), Vec3::splat(2.9e38));
+    assert!(matches!(enclosing(&at_the_end, 24), Err(HullError::TooLarge { .. })));
+}
+
 fn assert_encloses(name: &str, object: &TriangleMesh, hull: &Hull, vertices: usize) {
     assert!(hull.mesh().vertex_count() <= vertices, "{name}: {}", hull.mesh().vertex_count());
     assert!(hull.enclosure().unwrap().is_proved() && hull.offset().unwrap() > 0.0, "{name}");

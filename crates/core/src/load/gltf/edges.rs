@@ -3,8 +3,10 @@
 
 use super::accessor::{bytes, check_normals, indices, most_elements, restart};
 use super::buffers::Buffers;
+use super::document::parsed;
 use crate::edge_visibility::{EdgeCode, NAME, packed_len, unpack};
 use crate::load::error::{Located, Problem};
+use crate::progress::Progress;
 use ::gltf::json::accessor::Accessor;
 use ::gltf::json::mesh::Mode;
 use ::gltf::json::{Index, Root};
@@ -50,15 +52,11 @@ struct LineStrings {
 
 impl EdgeExtensions {
     /// Reads the document anew for the extension, if it says that it uses it.
-    pub(super) fn of(json: &[u8], root: &Root) -> Result<Self, Located> {
+    pub(super) fn of(json: &[u8], root: &Root, progress: &dyn Progress) -> Result<Self, Located> {
         if !root.extensions_used.iter().any(|name| name == NAME) {
             return Ok(Self::default());
         }
-        serde_json::from_slice(json).map_err(|error| {
-            let found = error.to_string();
-            Problem::Expected { expected: "the members of EXT_mesh_primitive_edge_visibility", found }
-                .at_line(error.line() as u64)
-        })
+        parsed(json, "the members of EXT_mesh_primitive_edge_visibility", progress)
     }
 
     /// The extension of a primitive, if it has one.

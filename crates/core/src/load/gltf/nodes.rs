@@ -5,8 +5,10 @@
 use super::accessor::{count, floats};
 use super::buffers::Buffers;
 use super::dangling::dangling;
+use super::document::parsed;
 use crate::load::error::{Located, Place, Problem};
 use crate::load::parts::{NO_PART, Part};
+use crate::progress::Progress;
 use ::gltf::json::accessor::Accessor;
 use ::gltf::json::scene::Node;
 use ::gltf::json::{Index, Mesh, Root, Skin};
@@ -74,11 +76,8 @@ pub(super) enum Transform {
 }
 
 impl Placements {
-    pub(super) fn of(json: &[u8]) -> Result<Self, Located> {
-        serde_json::from_slice(json).map_err(|error| {
-            let found = error.to_string();
-            Problem::Expected { expected: "transforms and instances of nodes", found }.at_line(error.line() as u64)
-        })
+    pub(super) fn of(json: &[u8], progress: &dyn Progress) -> Result<Self, Located> {
+        parsed(json, "transforms and instances of nodes", progress)
     }
 
     /// The meshes that the scene places, in the order of traversal, at most `limit` of them. Each node that is visited becomes one of
