@@ -114,11 +114,13 @@ impl Gpu {
     pub(crate) fn read_buffer<T>(&self, buffer: &wgpu::Buffer, read: impl FnOnce(&[u8]) -> T) -> Result<T, GpuError> {
         let outcome = Arc::new(Mutex::new(None));
         let sink = Arc::clone(&outcome);
-        let submission = self.scoped(|| {
-            buffer.map_async(wgpu::MapMode::Read, .., move |result| *lock(&sink) = Some(result));
-            self.queue().submit([])
-        })?;
-        self.wait(submission)?;
+        self.scoped(|| buffer.map_async(wgpu::MapMode::Read, .., move |result| *lock(&sink) = Some(result)))?;
+        self.look()?;
+        // Waiting for a submission of its own would be waiting for all that others have submitted meanwhile.
+        if lock(&outcome).is_none() {
+            let submission = self.scoped(|| self.queue().submit([]))?;
+            self.wait(submission)?;
+        }
         match lock(&outcome).take() {
             Some(Ok(())) => {}
             Some(Err(error)) => return Err(GpuError::Internal(error.to_string())),
