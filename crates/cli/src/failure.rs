@@ -1,6 +1,6 @@
 //! How a command fails: one line on stderr and an exit code.
 
-use crate::interrupt;
+use crate::{interrupt, observer};
 use silhouette_compare::runner::CompareError;
 use silhouette_core::load::LoadError;
 use silhouette_core::method::{OptionError, PrepareError};
@@ -86,10 +86,15 @@ impl Display for Failure {
     }
 }
 
-/// Prints a note to stderr, on one line: something that does not stop the command, but that its user has to know.
+/// Prints a note to stderr, on one line, or shows it to whoever observes the command: something that does not stop it, but that its user
+/// has to know.
 pub fn note(message: impl Display) {
-    // Where stderr is closed there is nobody to tell.
-    let _ = writeln!(std::io::stderr(), "silhouettes: note: {}", one_line(&message.to_string()));
+    let line = one_line(&message.to_string());
+    match observer::current() {
+        Some(observer) => observer.note(&line),
+        // Where stderr is closed there is nobody to tell.
+        None => drop(writeln!(std::io::stderr(), "silhouettes: note: {line}")),
+    }
 }
 
 /// clap's message as one line: its paragraphs up to the usage, which `--help` of the program shows.
