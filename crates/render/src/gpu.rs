@@ -169,7 +169,7 @@ impl Gpu {
     }
 
     /// Waits until a submission is done. Other threads use the device meanwhile.
-    pub(crate) fn wait(&self, submission: wgpu::SubmissionIndex) -> Result<(), GpuError> {
+    pub(crate) fn wait(&self, submission: &wgpu::SubmissionIndex) -> Result<(), GpuError> {
         self.check()?;
         let deadline = Instant::now() + TIMEOUT;
         let poll = || loop {

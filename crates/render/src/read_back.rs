@@ -99,7 +99,7 @@ fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuError>
             encoder.copy_texture_to_buffer(source, destination, size);
             gpu.queue().submit([encoder.finish()])
         })?;
-        gpu.wait(submission)?;
+        gpu.wait(&submission)?;
         gpu.read_buffer(&buffer, |bytes| {
             for padded_row in bytes.chunks_exact(padded as usize).take(rows as usize) {
                 texels.extend_from_slice(&padded_row[..row as usize]);
@@ -119,7 +119,7 @@ impl Gpu {
         // Waiting for a submission of its own would be waiting for all that others have submitted meanwhile.
         if lock(&outcome).is_none() {
             let submission = self.scoped(|| self.queue().submit([]))?;
-            self.wait(submission)?;
+            self.wait(&submission)?;
         }
         match lock(&outcome).take() {
             Some(Ok(())) => {}

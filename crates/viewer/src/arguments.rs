@@ -30,7 +30,7 @@ pub struct Arguments {
     /// Turn the eye about the mesh for so long, print frames per second and the longest frame, and end
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub measure: Option<Duration>,
-    /// The view that the window begins with; --size is that of the window
+    /// The view that the window begins with; --size is that of what is left for pictures
     #[command(flatten)]
     pub camera: CameraArguments,
 }

@@ -51,7 +51,7 @@ use viewer::Viewer;
 const PROGRAM: &str = "silhouettes-viewer";
 
 /// Room beside the pictures that a window begins with, in points.
-const AROUND: [f32; 2] = [310.0, 40.0];
+const AROUND: [f32; 2] = [viewer::SIDE_POINTS, 25.0];
 
 /// Opens a window with the methods of `registry`, as the process's arguments say. Prints what goes wrong.
 pub fn run(registry: &Registry) -> ExitCode {

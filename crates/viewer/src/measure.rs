@@ -114,7 +114,8 @@ pub enum Step {
 pub struct Measurement {
     orbit: Duration,
     start: Option<Stretch>,
-    opening: Option<Stretch>,
+    preparing: Option<Stretch>,
+    first_picture: Option<Stretch>,
     orbiting: Option<Stretch>,
     /// Pictures of each method when the eye began to move.
     pictures_at_begin: Vec<u64>,
@@ -124,23 +125,37 @@ pub struct Measurement {
 impl Measurement {
     /// One that moves the eye for a time.
     pub fn new(orbit: Duration) -> Self {
-        Self { orbit, start: None, opening: None, orbiting: None, pictures_at_begin: Vec::new(), pictures: Vec::new() }
+        Self {
+            orbit,
+            start: None,
+            preparing: None,
+            first_picture: None,
+            orbiting: None,
+            pictures_at_begin: Vec::new(),
+            pictures: Vec::new(),
+        }
     }
 
-    /// A frame of the window begins: how many pictures each method has drawn, and whether all have drawn one.
-    pub fn frame(&mut self, now: Instant, pictures: &[u64], are_all_drawn: bool) -> Step {
+    /// A frame of the window begins: how many pictures each method has drawn, and whether all are prepared.
+    pub fn frame(&mut self, now: Instant, pictures: &[u64], are_prepared: bool) -> Step {
         let Some(orbiting) = &mut self.orbiting else {
-            match (&mut self.start, &mut self.opening) {
-                (_, Some(opening)) => opening.frame(now),
-                (Some(start), None) => {
-                    start.frame(now);
-                    if start.frames.len() >= FIRST_FRAMES {
-                        self.opening = Some(Stretch::new(now));
-                    }
+            let is_drawn = pictures.iter().all(|&pictures| pictures > 0);
+            if let Some(first_picture) = &mut self.first_picture {
+                first_picture.frame(now);
+            } else if let Some(preparing) = &mut self.preparing {
+                preparing.frame(now);
+                if are_prepared {
+                    self.first_picture = Some(Stretch::new(now));
                 }
-                (none, None) => *none = Some(Stretch::new(now)),
+            } else if let Some(start) = &mut self.start {
+                start.frame(now);
+                if start.frames.len() >= FIRST_FRAMES {
+                    self.preparing = Some(Stretch::new(now));
+                }
+            } else {
+                self.start = Some(Stretch::new(now));
             }
-            if are_all_drawn && self.opening.is_some() {
+            if is_drawn && self.first_picture.is_some() {
                 self.pictures_at_begin = pictures.to_vec();
                 self.orbiting = Some(Stretch::new(now));
             }
@@ -157,8 +172,8 @@ impl Measurement {
     }
 
     /// While the mesh was opened and its methods were prepared, after the first frames of the window.
-    pub fn opening(&self) -> Option<&Stretch> {
-        self.opening.as_ref()
+    pub fn preparing(&self) -> Option<&Stretch> {
+        self.preparing.as_ref()
     }
 
     /// While the eye moved.
@@ -175,7 +190,12 @@ impl Measurement {
 
     /// All of it, one row per stretch and per method: its name, and the middle of its frame times in milliseconds.
     pub fn report(&self, methods: &[(&str, Option<f64>)]) -> String {
-        let stretches = [("start", &self.start), ("opening", &self.opening), ("orbit", &self.orbiting)];
+        let stretches = [
+            ("start", &self.start),
+            ("preparing", &self.preparing),
+            ("first picture", &self.first_picture),
+            ("orbit", &self.orbiting),
+        ];
         let rows = stretches.iter().filter_map(|(name, stretch)| Some(format!("{name}: {}\n", stretch.as_ref()?)));
         let of_method = |(&(name, median_ms), rate): (&(&str, Option<f64>), f64)| {
             let median = median_ms.map(|ms| format!(", median frame of the method {ms:.1} ms")).unwrap_or_default();
@@ -201,6 +221,7 @@ mod tests {
         for ms in [-900, -400, 0, 150] {
             assert_eq!(measurement.frame(at(ms), &[0], false), Step::Wait);
         }
+        assert_eq!(measurement.frame(at(160), &[0], true), Step::Wait);
         assert_eq!(measurement.frame(at(170), &[5], true), Step::Wait);
         let Step::Turn { angle_rad } = measurement.frame(at(270), &[6], true) else { panic!("it goes round") };
         assert!((angle_rad - std::f64::consts::TAU / 60.0).abs() < 1e-9, "{angle_rad}");
@@ -208,8 +229,8 @@ mod tests {
             assert!(matches!(measurement.frame(at(ms), &[9], true), Step::Turn { .. }));
         }
         assert_eq!(measurement.frame(at(570), &[15], true), Step::End);
-        let (opening, orbiting) = (measurement.opening().unwrap(), measurement.orbiting().unwrap());
-        assert_eq!((opening.longest(), opening.above(LONG)), (Duration::from_millis(150), 1));
+        let (preparing, orbiting) = (measurement.preparing().unwrap(), measurement.orbiting().unwrap());
+        assert_eq!((preparing.longest(), preparing.above(LONG)), (Duration::from_millis(150), 1));
         assert!((orbiting.rate() - 10.0).abs() < 1e-9 && orbiting.above(LONG) == 0);
         assert!((measurement.picture_rates()[0] - 25.0).abs() < 1e-9, "{:?}", measurement.picture_rates());
         let report = measurement.report(&[("brute-force", Some(12.34))]);

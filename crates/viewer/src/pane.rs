@@ -253,6 +253,11 @@ impl Pane {
         self.preparation.as_ref().map(Job::stage)
     }
 
+    /// Whether there is a method to draw with, and no other is being prepared.
+    pub fn is_prepared(&self) -> bool {
+        self.preparation.is_none() && self.painter.is_some()
+    }
+
     /// Whether something is to come.
     pub fn is_busy(&self) -> bool {
         self.preparation.is_some() || self.painter.as_ref().is_some_and(Painter::is_busy)

@@ -27,6 +27,9 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+/// Width of the controls beside the pictures, in points, until it is dragged.
+pub const SIDE_POINTS: f32 = 300.0;
+
 /// How long a frame of the window waits for pictures. What takes longer is shown by a later frame.
 const PATIENCE: Duration = Duration::from_millis(25);
 
@@ -360,7 +363,7 @@ impl eframe::App for Viewer {
         if self.shows_plots {
             egui::Panel::bottom("plots").show(ui, |ui| self.plots(ui));
         }
-        egui::Panel::left("controls").default_size(290.0).show(ui, |ui| self.side(ui));
+        egui::Panel::left("controls").default_size(SIDE_POINTS).show(ui, |ui| self.side(ui));
         egui::CentralPanel::no_frame().show(ui, |ui| self.pictures(ui));
     }
 }

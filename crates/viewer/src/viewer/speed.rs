@@ -15,10 +15,10 @@ impl Viewer {
         context.request_repaint();
         let panes = &self.panes[..self.arrangement.panes()];
         let pictures: Vec<u64> = panes.iter().map(Pane::frames).collect();
-        let are_all_drawn = panes.iter().all(|pane| pane.frame().is_some());
+        let are_prepared = self.opened.stage().is_none() && panes.iter().all(Pane::is_prepared);
         let failure = panes.iter().find_map(|pane| pane.failure().map(str::to_owned));
         let failure = failure.or_else(|| self.messages.first_error().map(str::to_owned));
-        let outcome = match measurement.frame(Instant::now(), &pictures, are_all_drawn) {
+        let outcome = match measurement.frame(Instant::now(), &pictures, are_prepared) {
             _ if failure.is_some() => failure.map(|failure| Err(Failure::Input(failure))),
             Step::Wait => None,
             Step::Turn { angle_rad } => {

@@ -27,10 +27,10 @@ fn outcome(test: &str, mesh: &str) -> Option<Result<String, Failure>> {
 }
 
 #[test]
-fn a_measurement_moves_the_eye_and_reports_both_stretches_and_the_method() {
+fn a_measurement_moves_the_eye_and_reports_every_stretch_and_the_method() {
     let Some(outcome) = outcome("a_measurement_moves_the_eye", "builtin:gear") else { return };
     let report = outcome.unwrap();
-    let begins = ["builtin:gear, ", "start: ", "opening: ", "orbit: ", "brute-force: "];
+    let begins = ["builtin:gear, ", "start: ", "preparing: ", "first picture: ", "orbit: ", "brute-force: "];
     assert_eq!(report.lines().count(), begins.len(), "{report}");
     assert!(report.lines().zip(begins).all(|(line, begin)| line.starts_with(begin)), "{report}");
     let rate = report.lines().last().unwrap().split([' ', ',']).nth(1).unwrap().parse::<f64>().unwrap();
