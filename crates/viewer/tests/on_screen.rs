@@ -75,9 +75,17 @@ fn the_program_opens_a_mesh_on_a_display() {
         std::thread::sleep(Duration::from_millis(400));
     };
     xdotool(&["search", "--onlyvisible", "--name", "silhouettes", "windowfocus"]);
-    xdotool(&["mousemove", "80", "36", "click", "1"]);
-    xdotool(&["mousemove", "80", "250", "click", "1"]);
-    wait_for(&mut program, "a picture of another method", &|ink| ink != lines && (200..500_000).contains(&ink));
+    let is_another = |ink: usize| ink != lines && (200..500_000).contains(&ink);
+    // On a busy machine the list may not be open yet when its row is pressed, so that it is pressed again.
+    wait_for(&mut program, "a picture of another method", &|ink| {
+        if !is_another(ink) {
+            xdotool(&["mousemove", "80", "36", "click", "1"]);
+            std::thread::sleep(Duration::from_millis(600));
+            xdotool(&["mousemove", "80", "250", "click", "1"]);
+            std::thread::sleep(Duration::from_secs(2));
+        }
+        is_another(ink)
+    });
     if let Some(kept) = std::env::var_os("SILHOUETTES_SCREENSHOTS") {
         std::fs::copy(&file, Path::new(&kept).join("on_screen.png")).unwrap();
     }
