@@ -8,11 +8,13 @@ pub use crate::camera::CameraArguments;
 pub use crate::failure::{Failure, usage};
 pub use crate::mesa::silence as silence_mesa;
 pub use crate::mesh_argument::MeshArgument;
+pub use crate::observer::{Observer, observed};
 pub use crate::render::{method_of_picture, open_device, picture};
 
 use crate::input;
 use crate::output::Output;
-use crate::winding::Winding;
+use crate::winding::OrientArgument;
+use silhouette_compare::registry::Entry;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::Progress;
 use silhouette_core::load::{LabelledMesh, Note};
@@ -42,8 +44,19 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Output::create(Some(path), &[])?.write(bytes)
 }
 
-/// What a user should know of a mesh before methods draw it whose pictures depend on which way faces point: that some are wound
-/// inside out. O(F log F).
-pub fn note_of_winding(mesh: &NamedMesh) -> Option<String> {
-    Winding::of_inside_out(&mesh.name, mesh.mesh.mesh())
+/// A mesh by its name on the command line as `render` reads it, for methods to be chosen later; a `.siltex` file is the mesh of its hull.
+/// Faces of parts that are wound inside out are turned as with `--orient`, or noted.
+///
+/// # Errors
+/// As [`load`].
+pub fn open(argument: &MeshArgument, orient: bool, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+    input::one(argument, OrientArgument { orient }.winding(true), progress)
+}
+
+/// That a method draws what an argument names, as `render` says it.
+///
+/// # Errors
+/// [`Failure::Input`]: it is a silhouette texture, and the method draws none.
+pub fn check_drawn_by(argument: &MeshArgument, method: &Entry) -> Result<(), Failure> {
+    input::check_drawn_by(argument, method)
 }

@@ -1,7 +1,6 @@
 //! How a command fails: one line on stderr and an exit code.
 
-use crate::PROGRAM;
-use crate::interrupt;
+use crate::{PROGRAM, interrupt, observer};
 use silhouette_compare::runner::CompareError;
 use silhouette_core::load::LoadError;
 use silhouette_core::method::{OptionError, PrepareError};
@@ -93,24 +92,26 @@ thread_local! {
     static TAKEN: RefCell<Option<Vec<String>>> = const { RefCell::new(None) };
 }
 
-/// Prints a note to stderr, on one line: something that does not stop the command, but that its user has to know.
-/// [`with_notes`] takes it instead.
+/// Passes a note on, on one line: something that does not stop the command, but that its user has to know. It goes to
+/// [`with_notes`], else to who observes the command, else to stderr.
 pub fn note(message: impl Display) {
     let line = one_line(&message.to_string());
-    let printed = TAKEN.with_borrow_mut(|taken| match taken {
+    let left = TAKEN.with_borrow_mut(|taken| match taken {
         Some(notes) => {
             notes.push(line);
             None
         }
         None => Some(line),
     });
-    if let Some(line) = printed {
-        // Where stderr is closed there is nobody to tell.
-        let _ = writeln!(std::io::stderr(), "{PROGRAM}: note: {line}");
+    match (left, observer::current()) {
+        (None, _) => {}
+        (Some(line), Some(observer)) => observer.note(&line),
+        // Where stderr is closed nobody can read it.
+        (Some(line), None) => drop(writeln!(std::io::stderr(), "{PROGRAM}: note: {line}")),
     }
 }
 
-/// Does work, and yields what it notes on this thread, instead of printing it.
+/// Does work, and yields what it notes on this thread, instead of passing it on.
 pub fn with_notes<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
     let outer = TAKEN.replace(Some(Vec::new()));
     let done = work();

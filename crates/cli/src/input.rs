@@ -96,9 +96,9 @@ pub fn drawable(
     winding: Winding,
     progress: &dyn Progress,
 ) -> Result<NamedMesh, Failure> {
-    if let Some((argument, path)) = arguments.iter().find_map(|argument| Some((argument, texture(argument)?))) {
+    if let Some((argument, path)) = arguments.iter().find_map(|argument| Some((argument, argument.texture()?))) {
         return match arguments.len() {
-            1 => hull_of_file(argument, path, method),
+            1 => check_drawn_by(argument, method).and_then(|()| hull_of_file(argument, path)),
             _ => Err(Failure::Input(format!("{argument}: a silhouette texture is drawn alone; name no other mesh"))),
         };
     }
@@ -122,19 +122,26 @@ pub fn drawable(
     Ok(prepared(name, LabelledMesh { mesh, labels: None, feature_edges, notes: Vec::new(), parts: None }))
 }
 
-/// The path of a file of a silhouette texture.
-fn texture(argument: &MeshArgument) -> Option<&Path> {
-    let is_texture = |path: &&Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("siltex"));
-    argument.path().filter(is_texture)
+/// One mesh for whatever method may come, or the hull of a silhouette texture. Its faces are turned or noted as `winding` says.
+pub fn one(argument: &MeshArgument, winding: Winding, progress: &dyn Progress) -> Result<NamedMesh, Failure> {
+    match argument.texture() {
+        Some(path) => hull_of_file(argument, path),
+        None => mesh(argument, winding, progress),
+    }
 }
 
-fn hull_of_file(argument: &MeshArgument, path: &Path, method: &Entry) -> Result<NamedMesh, Failure> {
-    if !method.info().needs.contains(&Textures::NAME) {
-        return Err(Failure::Input(format!(
-            "{argument}: --method {} draws no silhouette textures; choose texture, texture-lines or normal-map-hull",
-            method.info().name
-        )));
+/// That a method draws what an argument names: some draw silhouette textures, the others do not.
+pub fn check_drawn_by(argument: &MeshArgument, method: &Entry) -> Result<(), Failure> {
+    if argument.texture().is_none() || method.info().needs.contains(&Textures::NAME) {
+        return Ok(());
     }
+    Err(Failure::Input(format!(
+        "{argument}: --method {} draws no silhouette textures; choose texture, texture-lines or normal-map-hull",
+        method.info().name
+    )))
+}
+
+fn hull_of_file(argument: &MeshArgument, path: &Path) -> Result<NamedMesh, Failure> {
     if path.metadata().is_ok_and(|metadata| metadata.len() > most_bytes()) {
         return Err(too_long(argument));
     }

@@ -24,6 +24,7 @@ mod merge;
 mod mesa;
 mod mesh_argument;
 mod methods;
+mod observer;
 mod out_of_view;
 mod output;
 mod progress;

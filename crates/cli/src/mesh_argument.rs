@@ -25,6 +25,12 @@ impl MeshArgument {
             Self::StandardInput | Self::Builtin(_) => None,
         }
     }
+
+    /// The path of a file of a silhouette texture.
+    pub fn texture(&self) -> Option<&Path> {
+        let is_texture = |path: &&Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("siltex"));
+        self.path().filter(is_texture)
+    }
 }
 
 impl From<OsString> for MeshArgument {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::mesh_argument::MeshArgument;
+use crate::observer;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
@@ -48,6 +49,9 @@ impl Output {
                 result => result.map_err(|error| Failure::Run(format!("standard output: {error}"))),
             },
             Self::File(path) => {
+                if let Some(observer) = observer::current() {
+                    observer.check()?;
+                }
                 let mut beside = beside(&path)?;
                 beside.write_all(bytes).map_err(|error| cannot_write(&path, &error))?;
                 beside.persist(&path).map_err(|error| cannot_write(&path, &error.error))?;

@@ -2,9 +2,9 @@
 
 use crate::failure::note;
 use clap::Args;
-use silhouette_core::inside_out::{inside_out_faces, inside_out_faces_with_progress, turned};
+use silhouette_core::inside_out::{inside_out_faces_with_progress, turned};
 use silhouette_core::load::LabelledMesh;
-use silhouette_core::{Cancelled, Progress, Topology, TriangleMesh};
+use silhouette_core::{Cancelled, Progress, Topology};
 
 /// Which way faces are wanted to point.
 #[derive(Debug, Clone, Copy, PartialEq, Args)]
@@ -53,20 +53,11 @@ impl Winding {
             loaded.mesh = turned(mesh, &is_inside_out);
             note(format_args!("{name}: {count} of {faces} faces were turned, so that they point outwards"));
         } else {
-            note(format_args!("{}; --orient turns them", inside_out(name, count, faces)));
+            note(format_args!(
+                "{name}: {count} of {faces} faces are in parts that are wound inside out, so that lines may be drawn that are hidden; \
+                 --orient turns them"
+            ));
         }
         Ok(())
     }
-
-    /// That some faces of a mesh are wound inside out, if any is. O(F log F).
-    pub fn of_inside_out(name: &str, mesh: &TriangleMesh) -> Option<String> {
-        let count = inside_out_faces(mesh, &Topology::new(mesh)).into_iter().filter(|&is| is).count();
-        (count > 0).then(|| inside_out(name, count, mesh.face_count()))
-    }
-}
-
-fn inside_out(name: &str, count: usize, faces: usize) -> String {
-    format!(
-        "{name}: {count} of {faces} faces are in parts that are wound inside out, so that lines may be drawn that are hidden"
-    )
 }

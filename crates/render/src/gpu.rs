@@ -7,7 +7,7 @@ use crate::error::GpuError;
 use crate::timestamps::Timestamps;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Bytes that one target, or one read-back, may take unless [`Gpu::with_memory_budget`] says otherwise: room for a
 /// 16384 x 16384 image with depth and its read-back.
@@ -20,6 +20,9 @@ const WANTED_FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY
 
 /// How long a submit may take. On a software adapter the largest reference tile takes seconds; more is a hang.
 const TIMEOUT: Duration = Duration::from_secs(300);
+
+/// How long one call waits. `poll` holds a lock all the while that a window on the same device needs to present a frame.
+const WAIT_SLICE: Duration = Duration::from_millis(2);
 
 /// A headless device with its queue. Every call that can fail returns a [`GpuError`], for errors of the device as well.
 #[derive(Debug)]
@@ -165,12 +168,19 @@ impl Gpu {
         memory.or(internal).or(validation).map_or(Ok(value), |error| Err(error.into()))
     }
 
-    /// Waits until a submission is done.
-    pub(crate) fn wait(&self, submission: wgpu::SubmissionIndex) -> Result<(), GpuError> {
+    /// Waits until a submission is done. Other threads use the device meanwhile.
+    pub(crate) fn wait(&self, submission: &wgpu::SubmissionIndex) -> Result<(), GpuError> {
         self.check()?;
-        let wait = wgpu::PollType::Wait { submission_index: Some(submission), timeout: Some(TIMEOUT) };
+        let deadline = Instant::now() + TIMEOUT;
+        let poll = || loop {
+            let wait = wgpu::PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(WAIT_SLICE) };
+            let result = self.device.poll(wait);
+            if !matches!(result, Err(wgpu::PollError::Timeout)) || Instant::now() >= deadline {
+                return result;
+            }
+        };
         // `poll` reports a device that is lost while it waits by a panic; this is the one place where it can.
-        match catch_unwind(AssertUnwindSafe(|| self.device.poll(wait))) {
+        match catch_unwind(AssertUnwindSafe(poll)) {
             Ok(Ok(_)) => self.check(),
             Ok(Err(wgpu::PollError::Timeout)) => Err(GpuError::TimedOut { seconds: TIMEOUT.as_secs() }),
             // A lost device drops what is submitted to it, so that there is nothing to wait for.
@@ -179,6 +189,13 @@ impl Gpu {
                 self.check()
             }
         }
+    }
+
+    /// Has what is done by now take effect, without waiting.
+    pub(crate) fn look(&self) -> Result<(), GpuError> {
+        // A lost device panics here as in `wait`, which then says so.
+        let _ = catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::Poll)));
+        self.check()
     }
 
     /// `Err` where `bytes` exceed the memory budget.

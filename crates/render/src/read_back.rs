@@ -99,7 +99,7 @@ fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, GpuError>
             encoder.copy_texture_to_buffer(source, destination, size);
             gpu.queue().submit([encoder.finish()])
         })?;
-        gpu.wait(submission)?;
+        gpu.wait(&submission)?;
         gpu.read_buffer(&buffer, |bytes| {
             for padded_row in bytes.chunks_exact(padded as usize).take(rows as usize) {
                 texels.extend_from_slice(&padded_row[..row as usize]);
@@ -114,11 +114,13 @@ impl Gpu {
     pub(crate) fn read_buffer<T>(&self, buffer: &wgpu::Buffer, read: impl FnOnce(&[u8]) -> T) -> Result<T, GpuError> {
         let outcome = Arc::new(Mutex::new(None));
         let sink = Arc::clone(&outcome);
-        let submission = self.scoped(|| {
-            buffer.map_async(wgpu::MapMode::Read, .., move |result| *lock(&sink) = Some(result));
-            self.queue().submit([])
-        })?;
-        self.wait(submission)?;
+        self.scoped(|| buffer.map_async(wgpu::MapMode::Read, .., move |result| *lock(&sink) = Some(result)))?;
+        self.look()?;
+        // Waiting for a submission of its own would be waiting for all that others have submitted meanwhile.
+        if lock(&outcome).is_none() {
+            let submission = self.scoped(|| self.queue().submit([]))?;
+            self.wait(&submission)?;
+        }
         match lock(&outcome).take() {
             Some(Ok(())) => {}
             Some(Err(error)) => return Err(GpuError::Internal(error.to_string())),

@@ -105,7 +105,7 @@ impl Gpu {
             }
             self.queue().submit([encoder.finish()])
         })?;
-        self.wait(submission)?;
+        self.wait(&submission)?;
         let wall_ms = start.elapsed().as_secs_f64() * 1e3;
         let read = |timestamps: &Timestamps| self.read_buffer(timestamps.readable(), |b| timestamps.elapsed_ms(b));
         let gpu_ms = timestamps.as_deref().map(read).transpose()?;

@@ -1,12 +1,14 @@
 //! Work beside the window: a [`Job`] is one piece of it, a [`Worker`] does the latest that was asked of it.
 //!
-//! Both report their progress, can be cancelled, and wake the window when there is something to see. What is dropped is cancelled, and
+//! A job of the command line's code has notes as well, which it would print. Both report their progress, can be cancelled, and wake the window when there is something to see. What is dropped is cancelled, and
 //! its result with it: nothing that is stale arrives.
 
 use silhouette_core::Progress;
+use silhouettes::application::{Observer, observed};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// Asks the window to look again.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
@@ -45,6 +47,7 @@ pub struct Signal {
     name: Mutex<String>,
     done: AtomicU64,
     total: AtomicU64,
+    notes: Mutex<Vec<String>>,
     wake: Wake,
 }
 
@@ -55,6 +58,7 @@ impl Signal {
             name: Mutex::default(),
             done: AtomicU64::new(0),
             total: AtomicU64::new(0),
+            notes: Mutex::default(),
             wake: Arc::clone(wake),
         })
     }
@@ -86,6 +90,12 @@ impl Progress for Signal {
     }
 }
 
+impl Observer for Signal {
+    fn note(&self, text: &str) {
+        lock(&self.notes).push(text.to_owned());
+    }
+}
+
 /// One piece of work on a thread of its own; cancelled when dropped.
 pub struct Job<T> {
     signal: Arc<Signal>,
@@ -99,8 +109,9 @@ impl<T: Send + 'static> Job<T> {
         let (sender, result) = channel();
         let own = Arc::clone(&signal);
         std::thread::spawn(move || {
+            let observer: Arc<Signal> = Arc::clone(&own);
             // Where nobody waits for the result any more it is dropped.
-            let _ = sender.send(work(&*own));
+            let _ = sender.send(observed(observer, || work(&*own)));
             (own.wake)();
         });
         Self { signal, result }
@@ -120,6 +131,16 @@ impl<T> Job<T> {
     /// How far it is.
     pub fn stage(&self) -> Stage {
         self.signal.stage()
+    }
+
+    /// Asks it to end early. Its result still comes, and says whether it did.
+    pub fn cancel(&self) {
+        self.signal.cancel();
+    }
+
+    /// What the command line would have printed as notes so far.
+    pub fn notes(&self) -> Vec<String> {
+        lock(&self.signal.notes).clone()
     }
 }
 
@@ -156,9 +177,10 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         let own = Arc::clone(&shared);
         std::thread::spawn(move || {
             while let Some((question, signal)) = own.next() {
-                let answered = answer(question, &*signal);
+                let is_taken = sender.send(answer(question, &*signal)).is_ok();
+                // After the answer is there: whoever sees that nothing is running has it.
                 lock(&own.desk).running = None;
-                if sender.send(answered).is_err() {
+                if !is_taken {
                     break;
                 }
                 (signal.wake)();
@@ -210,6 +232,15 @@ impl<Q, A> Worker<Q, A> {
         }
     }
 
+    /// The next answer, if one comes within this time.
+    pub fn wait(&self, time: Duration) -> Option<Result<A, Died>> {
+        match self.answers.recv_timeout(time) {
+            Ok(answer) => Some(Ok(answer)),
+            Err(RecvTimeoutError::Timeout) => None,
+            Err(RecvTimeoutError::Disconnected) => Some(Err(Died)),
+        }
+    }
+
     /// How far the answer is, while there is a question.
     pub fn stage(&self) -> Option<Stage> {
         let desk = lock(&self.shared.desk);
@@ -235,7 +266,7 @@ pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 mod tests {
     use super::*;
     use std::sync::atomic::AtomicUsize;
-    use std::time::{Duration, Instant};
+    use std::time::Instant;
 
     fn wake() -> (Wake, Arc<AtomicUsize>) {
         let count = Arc::new(AtomicUsize::new(0));

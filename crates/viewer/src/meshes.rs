@@ -4,36 +4,49 @@ use crate::background::{Job, Stage, Wake};
 use crate::messages::Messages;
 use silhouette_compare::runner::NamedMesh;
 use silhouette_core::Progress;
-use silhouettes::application::{Failure, MeshArgument, load, note_of_winding};
+use silhouette_core::mesh::Bounds;
+use silhouettes::application::{Failure, MeshArgument, open};
 
-/// What reading a mesh yields: the mesh, and what its user should know.
-type Read = Result<(NamedMesh, Vec<String>), Failure>;
+/// A mesh that was read.
+pub struct Shown {
+    /// How the command line names it.
+    pub argument: MeshArgument,
+    /// Whether parts of it that are wound inside out were turned: `--orient`.
+    pub is_oriented: bool,
+    /// The mesh.
+    pub named: NamedMesh,
+    /// What it spans.
+    pub bounds: Bounds,
+}
 
 /// The mesh on screen.
 #[derive(Default)]
 pub struct Opened {
-    mesh: Option<(MeshArgument, NamedMesh)>,
-    reading: Option<(MeshArgument, Job<Read>)>,
+    shown: Option<Shown>,
+    reading: Option<(MeshArgument, Job<Result<Shown, Failure>>)>,
 }
 
 impl Opened {
     /// Begins to read a mesh; one that is being read is not read on.
-    pub fn open(&mut self, wake: &Wake, argument: MeshArgument) {
+    pub fn open(&mut self, wake: &Wake, argument: MeshArgument, orient: bool) {
         let named = argument.clone();
-        self.reading = Some((argument, Job::start(wake, move |progress| read(&named, progress))));
+        self.reading = Some((argument, Job::start(wake, move |progress| read(named, orient, progress))));
     }
 
     /// Takes what was read. `true` where another mesh is on screen from now on; one that cannot be read leaves the old one there.
     pub fn update(&mut self, messages: &mut Messages) -> bool {
-        let Some((argument, job)) = &self.reading else { return false };
+        let Some((_, job)) = &self.reading else { return false };
         let Some(result) = job.poll() else { return false };
-        let argument = argument.clone();
+        let notes = job.notes();
         self.reading = None;
         match result {
-            Ok(Ok((mesh, notes))) => {
+            Ok(Ok(shown)) => {
                 messages.clear();
                 notes.iter().for_each(|note| messages.note(note));
-                self.mesh = Some((argument, mesh));
+                if let Some(old) = self.shown.replace(shown) {
+                    // Giving back the memory of a large mesh takes longer than a frame of the window.
+                    std::thread::spawn(move || drop(old));
+                }
                 return true;
             }
             Ok(Err(failure)) => messages.error(failure),
@@ -53,21 +66,13 @@ impl Opened {
     }
 
     /// The mesh on screen.
-    pub fn mesh(&self) -> Option<&NamedMesh> {
-        self.mesh.as_ref().map(|(_, mesh)| mesh)
-    }
-
-    /// How the command line names the mesh on screen.
-    pub fn argument(&self) -> Option<&MeshArgument> {
-        self.mesh.as_ref().map(|(argument, _)| argument)
+    pub fn shown(&self) -> Option<&Shown> {
+        self.shown.as_ref()
     }
 }
 
-fn read(argument: &MeshArgument, progress: &dyn Progress) -> Read {
-    let (mesh, notes) = load(argument, progress)?;
-    if mesh.mesh.mesh().face_count() == 0 {
-        return Err(Failure::Input(format!("{}: has no face", mesh.name)));
-    }
-    let notes = notes.iter().map(|note| format!("{argument}: {note}")).chain(note_of_winding(&mesh)).collect();
-    Ok((mesh, notes))
+fn read(argument: MeshArgument, orient: bool, progress: &dyn Progress) -> Result<Shown, Failure> {
+    let named = open(&argument, orient, progress)?;
+    let bounds = named.mesh.mesh().bounds().ok_or_else(|| Failure::Input(format!("{}: has no face", named.name)))?;
+    Ok(Shown { argument, is_oriented: orient, named, bounds })
 }

@@ -44,6 +44,11 @@ impl Messages {
         &self.0
     }
 
+    /// The oldest that says that something failed.
+    pub fn first_error(&self) -> Option<&str> {
+        self.0.iter().find(|message| message.is_error).map(|message| message.text.as_str())
+    }
+
     /// Forgets all of them, as another mesh makes them stale.
     pub fn clear(&mut self) {
         self.0.clear();

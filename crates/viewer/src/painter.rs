@@ -11,6 +11,7 @@ use silhouette_gpu::Pen;
 use silhouette_render::{Gpu, Image};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 /// What is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,6 +92,11 @@ impl Painter {
     /// A frame, if one is there.
     pub fn poll(&self) -> Option<Result<Result<Frame, DrawError>, Died>> {
         self.worker.poll()
+    }
+
+    /// The next frame, if one is drawn within this time.
+    pub fn wait(&self, time: Duration) -> Option<Result<Result<Frame, DrawError>, Died>> {
+        self.worker.wait(time)
     }
 
     /// Whether a frame is to come.

@@ -1,13 +1,15 @@
 //! [`Pane`]: one method on screen, from its choice to its picture.
 
-use crate::background::{Job, Stage, Wake};
+use crate::background::{Died, Job, Stage, Wake};
 use crate::flicker::Flicker;
 use crate::history::History;
 use crate::layers::Layers;
+use crate::meshes::Shown;
 use crate::painter::{Frame, Painter, Question};
+use crate::picture::{Picture, Pictures};
 use crate::truth::{Score, Shot};
 use eframe::egui::{self, TextureHandle, TextureId};
-use eframe::{egui_wgpu, wgpu};
+use eframe::wgpu;
 use silhouette_compare::drawing::{DrawError, Drawing, FrameStyle, Ground, pictures_of};
 use silhouette_compare::metrics::PictureKind;
 use silhouette_compare::registry::{Entry, Registry};
@@ -15,7 +17,7 @@ use silhouette_compare::runner::NamedMesh;
 use silhouette_core::method::OptionValues;
 use silhouette_core::{Camera, Progress};
 use silhouette_render::Gpu;
-use silhouettes::application::Failure;
+use silhouettes::application::{Failure, check_drawn_by};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -83,6 +85,15 @@ impl Default for Look {
     }
 }
 
+/// What of the frames to come is looked at besides what they show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LooksAt {
+    /// Their pixels, which are read back for it.
+    pub pixels: bool,
+    /// Edges that appear and vanish.
+    pub changes: bool,
+}
+
 /// One method on screen.
 pub struct Pane {
     /// What is wanted.
@@ -94,7 +105,7 @@ pub struct Pane {
     /// The view that was asked for last.
     question: Option<Question>,
     frame: Option<Frame>,
-    texture: Option<(TextureId, u64)>,
+    picture: Option<(Picture, u64)>,
     failure: Option<String>,
     /// How many frames have arrived since the mesh was opened.
     frames: u64,
@@ -116,7 +127,7 @@ impl Pane {
             painter: None,
             question: None,
             frame: None,
-            texture: None,
+            picture: None,
             failure: None,
             frames: 0,
             first_frame: 0,
@@ -129,8 +140,7 @@ impl Pane {
 
     /// Forgets all that is of the last mesh.
     pub fn clear(&mut self) {
-        let texture = self.texture.take();
-        *self = Self { texture, ..Self::new(self.choice.clone()) };
+        *self = Self::new(self.choice.clone());
     }
 
     /// Brings what is drawn nearer to what is wanted. Called for each frame of the window; does no work itself.
@@ -138,17 +148,18 @@ impl Pane {
         &mut self,
         gpu: &Arc<Gpu>,
         wake: &Wake,
-        mesh: &NamedMesh,
+        mesh: &Shown,
         look: Look,
         camera: &Camera,
-        reads_back: bool,
+        looks_at: LooksAt,
     ) {
         let wanted = (self.choice.clone(), look);
         if self.asked.as_ref() != Some(&wanted) {
             self.prepare(gpu, wake, mesh, wanted, camera.size());
         }
         self.take_preparation(gpu, wake);
-        self.take_frames();
+        self.take_frames(looks_at.changes);
+        let reads_back = looks_at.pixels;
         let question = Question { camera: *camera, reads_back };
         let is_answered =
             self.question.is_some_and(|asked| asked.camera == *camera && (asked.reads_back || !reads_back));
@@ -160,9 +171,14 @@ impl Pane {
         }
     }
 
-    fn prepare(&mut self, gpu: &Arc<Gpu>, wake: &Wake, mesh: &NamedMesh, wanted: (Choice, Look), size: [u32; 2]) {
+    fn prepare(&mut self, gpu: &Arc<Gpu>, wake: &Wake, mesh: &Shown, wanted: (Choice, Look), size: [u32; 2]) {
+        if let Err(failure) = check_drawn_by(&mesh.argument, &wanted.0.entry) {
+            self.asked = Some(wanted);
+            self.preparation = None;
+            return self.fail(failure.to_string());
+        }
         let (choice, look) = wanted.clone();
-        let (gpu, mesh) = (Arc::clone(gpu), mesh.clone());
+        let (gpu, mesh) = (Arc::clone(gpu), mesh.named.clone());
         self.failure = None;
         self.preparation = Some(Job::start(wake, move |progress| drawing(&gpu, &mesh, &choice, look, size, progress)));
         self.asked = Some(wanted);
@@ -186,20 +202,34 @@ impl Pane {
         }
     }
 
-    fn take_frames(&mut self) {
+    fn take_frames(&mut self, looks_at_changes: bool) {
         while let Some(result) = self.painter.as_ref().and_then(Painter::poll) {
-            match result {
-                Ok(Ok(frame)) => {
-                    self.frames += 1;
-                    self.history.drawn(self.frames, frame.sample.frame_ms);
-                    if let Some(edges) = &frame.edges {
-                        self.flicker.follow(edges, Instant::now());
-                    }
-                    self.frame = Some(frame);
+            self.take_frame(result, looks_at_changes);
+        }
+    }
+
+    /// Waits for the picture that was asked for last until a moment at most, so that the window shows it at once and need not draw
+    /// itself again for it.
+    pub fn wait(&mut self, until: Instant, looks_at: LooksAt) {
+        while let Some(painter) = self.painter.as_ref().filter(|painter| painter.is_busy()) {
+            let Some(result) = painter.wait(until.saturating_duration_since(Instant::now())) else { return };
+            self.take_frame(result, looks_at.changes);
+        }
+    }
+
+    fn take_frame(&mut self, result: Result<Result<Frame, DrawError>, Died>, looks_at_changes: bool) {
+        match result {
+            Ok(Ok(frame)) => {
+                self.frames += 1;
+                self.history.drawn(self.frames, frame.sample.frame_ms);
+                match &frame.edges {
+                    Some(edges) if looks_at_changes => self.flicker.follow(edges, Instant::now()),
+                    _ => self.flicker.clear(),
                 }
-                Ok(Err(error)) => return self.fail(error.to_string()),
-                Err(died) => return self.fail(died.to_string()),
+                self.frame = Some(frame);
             }
+            Ok(Err(error)) => self.fail(error.to_string()),
+            Err(died) => self.fail(died.to_string()),
         }
     }
 
@@ -221,6 +251,11 @@ impl Pane {
     /// How far the preparation is, while there is one.
     pub fn stage(&self) -> Option<Stage> {
         self.preparation.as_ref().map(Job::stage)
+    }
+
+    /// Whether there is a method to draw with, and no other is being prepared.
+    pub fn is_prepared(&self) -> bool {
+        self.preparation.is_none() && self.painter.is_some()
     }
 
     /// Whether something is to come.
@@ -291,20 +326,12 @@ impl Pane {
     }
 
     /// The picture on screen, for the window to show.
-    pub fn texture(&mut self, state: &egui_wgpu::RenderState) -> Option<TextureId> {
+    pub fn picture(&mut self, device: &wgpu::Device, pictures: &Pictures) -> Option<Picture> {
         let shown = &self.frame.as_ref()?.texture;
-        let filter = wgpu::FilterMode::Nearest;
-        let mut renderer = state.renderer.write();
-        let id = match self.texture {
-            Some((id, number)) if number == shown.number => id,
-            Some((id, _)) => {
-                renderer.update_egui_texture_from_wgpu_texture(&state.device, &shown.view, filter, id);
-                id
-            }
-            None => renderer.register_native_texture(&state.device, &shown.view, filter),
-        };
-        self.texture = Some((id, shown.number));
-        Some(id)
+        if self.picture.as_ref().is_none_or(|(_, number)| *number != shown.number) {
+            self.picture = Some((pictures.of(device, &shown.view), shown.number));
+        }
+        self.picture.as_ref().map(|(picture, _)| picture.clone())
     }
 }
 

@@ -4,6 +4,7 @@ use crate::view::View;
 use silhouette_compare::Profile;
 use silhouette_compare::camera_path::Orbit;
 use silhouette_compare::scene::{PathSpec, Scene};
+use silhouette_core::Camera;
 use silhouette_core::view::ViewError;
 use std::time::{Duration, Instant};
 
@@ -20,12 +21,14 @@ pub struct Path {
     frame: u32,
     /// When the frame on screen was shown, while frames follow each other by themselves.
     playing_since: Option<Instant>,
+    /// The view of the frame shown last.
+    shown: Option<Camera>,
 }
 
 impl Path {
     /// The path of a scene, at its first frame.
     pub fn of(scene: &Scene) -> Self {
-        Self { name: scene.name.clone(), spec: scene.path, frame: 0, playing_since: None }
+        Self { name: scene.name.clone(), spec: scene.path, frame: 0, playing_since: None, shown: None }
     }
 
     /// How many frames there are, warm-up frames too.
@@ -59,7 +62,13 @@ impl Path {
         let first_azimuth_rad = orbit.first_azimuth_rad + orbit.step_rad * f64::from(self.frame);
         let camera = Orbit { views: 1, first_azimuth_rad, ..orbit }.cameras(view.bounds())?;
         camera.into_iter().for_each(|camera| view.show(camera, self.spec.fov_deg, self.spec.up_axis));
+        self.shown = Some(view.camera());
         Ok(())
+    }
+
+    /// Whether a view is that of the frame shown last.
+    pub fn is_on(&self, view: &View) -> bool {
+        self.shown == Some(view.camera())
     }
 
     /// Shows the next frame once it is due and the one on screen `is_drawn`. How long until one is due, while they are played.

@@ -3,7 +3,7 @@
 //! What is on screen is put into the words of a command, which is then run: `lines` for drawings, `render` for pictures. So the files are
 //! the command line's, byte for byte, and the words can be repeated without the window. A scene is for `compare --scene`.
 
-use crate::background::{Job, Wake};
+use crate::background::{Job, Stage, Wake};
 use crate::messages::Messages;
 use crate::pane::{Choice, Look};
 use crate::path::Path;
@@ -21,6 +21,8 @@ use std::path::{Path as FilePath, PathBuf};
 pub struct Shown<'a> {
     /// The mesh, as the command line names it.
     pub mesh: &'a MeshArgument,
+    /// Whether parts of it that were wound inside out are turned.
+    pub is_oriented: bool,
     /// The view.
     pub view: &'a View,
     /// Width and height of the picture in pixels.
@@ -59,8 +61,9 @@ impl Shown<'_> {
 
     fn command(&self, name: &str, file: &str, options: &[String]) -> Vec<String> {
         let view = self.view.words(self.size);
+        let orient = self.is_oriented.then(|| "--orient".to_owned());
         let output = ["-o".to_owned(), file.to_owned(), "--".to_owned(), named(self.mesh)];
-        [name.to_owned()].into_iter().chain(options.iter().cloned()).chain(view).chain(output).collect()
+        [name.to_owned()].into_iter().chain(options.iter().cloned()).chain(orient).chain(view).chain(output).collect()
     }
 
     /// The first method with what is not at its default.
@@ -161,7 +164,8 @@ pub fn for_shell(words: &[String]) -> String {
 pub struct Saving {
     /// The name of the file to write.
     pub file: String,
-    writing: Option<Job<Result<String, Failure>>>,
+    writing: Option<(String, Job<Result<(), Failure>>)>,
+    is_cancelled: bool,
     asked: Option<Job<Option<PathBuf>>>,
 }
 
@@ -175,7 +179,9 @@ impl Saving {
         match shown.order(&file) {
             Ok(order) => {
                 let registry = registry.clone();
-                self.writing = Some(Job::start(wake, move |_| carry_out(order, &file, &registry).map(|()| file)));
+                let named = file.clone();
+                self.is_cancelled = false;
+                self.writing = Some((file, Job::start(wake, move |_| carry_out(order, &named, &registry))));
             }
             Err(failure) => messages.error(failure),
         }
@@ -190,13 +196,17 @@ impl Saving {
 
     /// Takes what has been done.
     pub fn update(&mut self, messages: &mut Messages) {
-        if let Some(result) = self.writing.as_ref().and_then(Job::poll) {
-            self.writing = None;
+        if let Some((file, job)) = &self.writing
+            && let Some(result) = job.poll()
+        {
+            job.notes().iter().for_each(|note| messages.note(note));
             match result {
-                Ok(Ok(file)) => messages.note(format_args!("{file}: written")),
+                Ok(Ok(())) => messages.note(format_args!("{file}: written")),
+                Ok(Err(_)) if self.is_cancelled => messages.note(format_args!("{file}: cancelled, not written")),
                 Ok(Err(failure)) => messages.error(failure),
                 Err(died) => messages.error(died),
             }
+            self.writing = None;
         }
         if let Some(result) = self.asked.as_ref().and_then(Job::poll) {
             self.asked = None;
@@ -209,6 +219,19 @@ impl Saving {
     /// Whether a file is being written.
     pub fn is_busy(&self) -> bool {
         self.writing.is_some()
+    }
+
+    /// How far that is, while a file is being written, and the name of the file.
+    pub fn stage(&self) -> Option<(String, Stage)> {
+        self.writing.as_ref().map(|(file, job)| (file.clone(), job.stage()))
+    }
+
+    /// Writes the file no further, unless it is whole by then; what was there before stays.
+    pub fn cancel(&mut self) {
+        if let Some((_, job)) = &self.writing {
+            job.cancel();
+            self.is_cancelled = true;
+        }
     }
 }
 

@@ -156,6 +156,11 @@ impl View {
         self.place(turn * offset, turn * up);
     }
 
+    /// Turns the eye about the up axis.
+    pub fn turn(&mut self, angle_rad: f64) {
+        self.orbit([-angle_rad / RAD_PER_POINT, 0.0]);
+    }
+
     /// Moves eye and target, so that what is at the target follows the pointer. In pixels of the picture.
     pub fn pan(&mut self, [right, down]: [f64; 2]) {
         let offset = self.offset();

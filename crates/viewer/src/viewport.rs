@@ -5,6 +5,7 @@
 //! away.
 
 use crate::arrangement::{Arrangement, PixelRect, Place};
+use crate::picture::Picture;
 use crate::view::View;
 use eframe::egui::{
     self, Color32, CursorIcon, EventFilter, Key, PointerButton, Rect, Response, Role, Sense, Stroke, TextureId, Vec2,
@@ -38,13 +39,16 @@ impl Room {
         Self { places, area: pixels.to_points(pixels_per_point), pixels_per_point }
     }
 
-    /// Shows a picture on white paper, as far as its place shows it.
-    pub fn show(&self, ui: &egui::Ui, place: usize, pictures: &[TextureId]) {
+    /// Shows a picture on white paper, as far as its place shows it, and what lies over it.
+    pub fn show(&self, ui: &egui::Ui, place: usize, drawn: Option<Picture>, over: Option<TextureId>) {
         let Place { picture, shown } = self.places[place];
         let [picture, shown] = [picture, shown].map(|rect| rect.to_points(self.pixels_per_point));
         let painter = ui.painter().with_clip_rect(shown);
-        painter.rect_filled(shown, 0.0, Color32::WHITE);
-        for &texture in pictures {
+        match drawn {
+            Some(drawn) => drop(painter.add(drawn.shape(picture))),
+            None => drop(painter.rect_filled(shown, 0.0, Color32::WHITE)),
+        }
+        if let Some(texture) = over {
             let all = Rect { min: pos2(0.0, 0.0), max: pos2(1.0, 1.0) };
             painter.image(texture, picture, all, Color32::WHITE);
         }

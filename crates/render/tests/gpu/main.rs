@@ -7,3 +7,4 @@ mod reference_images;
 mod scenes;
 mod strokes;
 mod targets;
+mod waiting;

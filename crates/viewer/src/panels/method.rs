@@ -34,14 +34,11 @@ pub fn show(ui: &mut egui::Ui, label: &str, registry: &Registry, pane: &mut Pane
         }
         if let Some(frame) = pane.frame() {
             let sample = &frame.sample;
-            let mut text = format!("frame {:.2} ms", sample.frame_ms);
-            if let Some(extraction) = &sample.extraction {
-                text += &format!(", extraction {:.3} ms", extraction.extract_ms);
+            // A line each, so that what is below does not move as numbers get longer.
+            ui.label(format!("frame {:.2} ms", sample.frame_ms));
+            if let (Some(extraction), Some(edges)) = (&sample.extraction, &frame.edges) {
+                ui.label(format!("extraction {:.3} ms, {} edges", extraction.extract_ms, edges.len()));
             }
-            if let Some(edges) = &frame.edges {
-                text += &format!(", {} edges", edges.len());
-            }
-            ui.label(text);
             if let Some(warning) = &frame.warning {
                 ui.colored_label(ui.visuals().warn_fg_color, format!("Note: {warning}"));
             }

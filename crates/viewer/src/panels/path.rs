@@ -2,9 +2,25 @@
 
 use crate::messages::Messages;
 use crate::path::Path;
+use crate::scenes::ShownScene;
 use crate::view::View;
 use eframe::egui::{self, Slider};
 use silhouette_compare::Profile;
+use silhouettes::application::MeshArgument;
+
+/// The meshes of a scene, as buttons. The one that was pressed.
+pub fn meshes(ui: &mut egui::Ui, scene: &ShownScene) -> Option<MeshArgument> {
+    let mut chosen = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(format!("meshes of {}", scene.scene.name));
+        for mesh in scene.meshes() {
+            if ui.button(mesh.to_string()).clicked() {
+                chosen = Some(mesh);
+            }
+        }
+    });
+    chosen
+}
 
 /// Shows the controls of the path.
 pub fn show(ui: &mut egui::Ui, path: &mut Path, view: &mut View, messages: &mut Messages) {

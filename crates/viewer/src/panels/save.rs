@@ -1,5 +1,6 @@
 //! The view as a file, and the command that writes it.
 
+use super::progress;
 use crate::background::Wake;
 use crate::messages::Messages;
 use crate::save::{Order, Saving, Shown, for_shell};
@@ -29,8 +30,10 @@ pub fn show(
             saving.begin(wake, registry, shown, messages);
         }
     });
-    if saving.is_busy() {
-        ui.spinner();
+    if let Some((file, stage)) = saving.stage()
+        && progress(ui, &format!("writing {file}"), &stage)
+    {
+        saving.cancel();
     }
     if let Ok(Order::Command(words)) = shown.order(saving.file.trim())
         && !saving.file.trim().is_empty()

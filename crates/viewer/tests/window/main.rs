@@ -3,6 +3,9 @@
 //! With `SILHOUETTES_SCREENSHOTS=DIR` each test leaves pictures of the window in DIR.
 
 mod choosing;
+mod labels;
+mod measuring;
+mod opening;
 mod saving;
 mod seeing;
 mod stage;

@@ -1,7 +1,7 @@
 //! Files that the window saves, against those that the command line writes.
 
 use crate::stage::{press, settle, window};
-use eframe::egui::Role;
+use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use silhouette_compare::registry::Registry;
@@ -99,4 +99,43 @@ fn a_place_that_cannot_be_written_to_is_said_in_the_command_line_s_words() {
         assert!(said.is_error && said.text.contains(&file) && said.text.contains("cannot be written"), "{said:?}");
         assert!(window.query_by_label(&format!("Error: {}", said.text)).is_some());
     }
+}
+
+/// What was there before stays, and nothing else.
+#[test]
+fn a_file_that_is_cancelled_is_not_written() {
+    let Some(mut window) = window("a_file_that_is_cancelled", "builtin:blob:50000", &["brute-force"]) else { return };
+    press(&mut window, Role::DisclosureTriangle, "Save");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("view.svg");
+    std::fs::write(&file, "before").unwrap();
+    window.state_mut().saving_mut().file = file.to_string_lossy().into_owned();
+    window.get_by_role_and_label(Role::Button, "Save").click();
+    window.step();
+    assert!(window.state().is_busy());
+    window.state_mut().saving_mut().cancel();
+    settle(&mut window);
+    let messages = window.state().messages().all();
+    assert!(messages.iter().any(|message| message.text.ends_with("cancelled, not written")), "{messages:?}");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "before");
+    assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+}
+
+/// What the command line prints as a note is shown in the window.
+#[test]
+fn notes_of_commands_are_in_the_window() {
+    let Some(mut window) = window("notes_of_commands", "builtin:torus", &["brute-force"]) else { return };
+    press(&mut window, Role::DisclosureTriangle, "Save");
+    // Moved out of the picture, the mesh leaves no line to draw.
+    window.get_by_role_and_label(Role::Canvas, "Picture of brute-force").focus();
+    window.run_steps(2);
+    (0..200).for_each(|_| window.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft));
+    settle(&mut window);
+    let folder = tempfile::tempdir().unwrap();
+    save(&mut window, &folder.path().join("empty.svg"));
+    let messages = window.state().messages().all();
+    assert!(
+        messages.iter().any(|message| message.text.contains("no line lies in the view: all of the mesh lies left")),
+        "{messages:?}"
+    );
 }

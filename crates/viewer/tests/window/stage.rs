@@ -1,15 +1,18 @@
 //! A window without a display, and what tests do with it.
 
+use eframe::CreationContext;
 use eframe::egui::{self, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use image::RgbaImage;
 use silhouette_compare::registry::Registry;
+use silhouette_render::Gpu;
 use silhouette_testing::shared_gpu_or_skip;
 use silhouette_viewer::pane::Choice;
 use silhouette_viewer::viewer::{Start, Viewer};
 use silhouettes::application::{CameraArguments, MeshArgument};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// How long a test waits for the background before it gives up.
@@ -28,13 +31,25 @@ pub fn window_of(
     build: impl FnOnce(egui_kittest::HarnessBuilder<Viewer>) -> egui_kittest::HarnessBuilder<Viewer>,
 ) -> Option<Harness<'static, Viewer>> {
     let gpu = shared_gpu_or_skip(test)?;
-    let registry = Registry::builtin();
-    let choices = methods.iter().map(|name| Choice::of_words(&registry, name, &[]).unwrap()).collect();
-    let start = Start { mesh: Some(MeshArgument::from(mesh)), choices, camera: CameraArguments::of_words([]).unwrap() };
     let builder = build(Harness::builder()).wgpu_setup(silhouette_viewer::setup(gpu));
-    let mut window = builder.build_eframe(|context| Viewer::new(context, gpu.clone(), registry, start).unwrap());
+    let mut window = builder.build_eframe(|context| viewer(context, gpu, mesh, methods, |start| start));
     settle(&mut window);
     Some(window)
+}
+
+/// The contents of a window that shows `mesh` by `methods`, and begins as `change` says.
+pub fn viewer(
+    context: &CreationContext<'_>,
+    gpu: &Arc<Gpu>,
+    mesh: &str,
+    methods: &[&str],
+    change: impl FnOnce(Start) -> Start,
+) -> Viewer {
+    let registry = Registry::builtin();
+    let choices = methods.iter().map(|name| Choice::of_words(&registry, name, &[]).unwrap()).collect();
+    let (mesh, camera) = (Some(MeshArgument::from(mesh)), CameraArguments::of_words([]).unwrap());
+    let start = Start { mesh, scene: None, choices, orient: false, measure: None, camera };
+    Viewer::new(context, Arc::clone(gpu), registry, change(start)).unwrap()
 }
 
 /// Runs the window until nothing is to come.

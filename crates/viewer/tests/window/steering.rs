@@ -66,6 +66,8 @@ fn named_views_axes_and_projections_are_buttons() {
         return;
     };
     let mut press = |role, label: &str| {
+        // Pictures that are still to come move controls.
+        settle(&mut window);
         window.get_by_role_and_label(role, label).click();
         window.step();
         window.step();
