@@ -3,7 +3,7 @@
 use crate::tidy::root;
 use std::path::Path;
 
-const COUNT: usize = 45;
+const COUNT: usize = 46;
 
 /// What the index says wrongly: numbers out of order, rows without a test, and tests that are not there.
 fn faults(index: &str, root: &Path) -> Vec<String> {
@@ -42,7 +42,7 @@ fn every_invariant_has_a_test_that_exists() {
 }
 
 #[test]
-fn a_wrong_index_is_told() {
+fn a_wrong_index_is_reported() {
     let index = std::fs::read_to_string(root().join("docs/INVARIANTS.md")).unwrap();
     for (right, wrong) in [
         ("any_soup_makes_loops", "any_soup_makes_hoops"),
@@ -55,6 +55,6 @@ fn a_wrong_index_is_told() {
         assert!(index.contains(right), "{right}");
         assert_eq!(faults(&index.replacen(right, wrong, 1), &root()).len(), 1, "{wrong}");
     }
-    let without_a_row: Vec<&str> = index.lines().filter(|line| !line.starts_with("| 45 |")).collect();
-    assert_eq!(faults(&without_a_row.join("\n"), &root()), ["44 invariants"]);
+    let without_a_row: Vec<&str> = index.lines().filter(|line| !line.starts_with("| 46 |")).collect();
+    assert_eq!(faults(&without_a_row.join("\n"), &root()), ["45 invariants"]);
 }

@@ -119,7 +119,7 @@ fn a_folder_of_something_else_is_refused_and_stays() {
     let file = folder.path().join("a file");
     std::fs::write(&file, "no folder").unwrap();
     assert!(matches!(CellStore::existing(&file), Err(StoreError::NotOurs { .. })));
-    assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    assert_eq!(folder.path().read_dir().unwrap().count(), 2, "the photo and the file");
 
     let kept = tempfile::tempdir().unwrap();
     store(kept.path(), &[0]);
