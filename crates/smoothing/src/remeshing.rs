@@ -336,7 +336,7 @@ fn leave_out_behind(eye: Option<Eye>, is_turned: bool, begin: usize, out: &mut V
         let [a, b, c] = triangle.map(|vertex| out.positions[vertex as usize].as_dvec3());
         let facing = (b - a).cross(c - a).dot(eye.toward(a));
         let stays = if is_turned { facing <= 0.0 } else { facing >= 0.0 };
-        // Half of them stay, in no order: a branch would be guessed wrong.
+        // About half of them stay, in no pattern: a branch would be mispredicted.
         out.triangles[kept] = triangle;
         kept += usize::from(stays);
     }

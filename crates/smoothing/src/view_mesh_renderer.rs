@@ -113,7 +113,7 @@ struct Buffers {
 
 impl<R: Remesher> ViewMeshRenderer<R> {
     /// A renderer of one instance of a mesh, which `remesher` was made for. Its triangles lie at most `reach` outside of the
-    /// mesh's bounds, in the mesh's own units: [`reach`], unless they may reach farther.
+    /// mesh's bounds, in the mesh's own units: [`view_mesh::reach`](crate::view_mesh::reach), unless they may reach farther.
     pub fn new(
         device: &wgpu::Device,
         pipelines: &Arc<ViewMeshPipelines>,

@@ -4,8 +4,8 @@
 //!
 //! 1. [`run`] reads the [`arguments`], opens a device ([`silhouette_render::Gpu`]) and the window, whose contents are a
 //!    [`viewer::Viewer`].
-//! 2. [`meshes`]: the mesh on screen. [`scenes`]: the scene that it is of. [`view`]: the camera. [`pane`]: a method from its choice to its picture, which a [`painter`] draws and a
-//!    [`picture`] shows.
+//! 2. [`meshes`]: the mesh on screen. [`scenes`]: the scene that it is of. [`view`]: the camera. [`pane`]: a method from its
+//!    choice to its picture, which a [`painter`] draws and a [`picture`] shows.
 //!    [`arrangement`]: one method or two. [`viewport`]: pictures and divider. [`panels`]: what stands around them.
 //! 3. [`background`]: nothing that takes long happens in a frame of the window. [`messages`]: what went wrong.
 //!    [`measure`]: how fast the window is.

@@ -1,4 +1,4 @@
-//! The pictures behind the table, for a person to look at.
+//! Writes the pictures behind the tables as files, to look at them.
 
 use crate::cell::{Aspect, Found};
 use crate::matrix::aspects;
