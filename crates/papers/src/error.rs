@@ -82,6 +82,7 @@ impl PaperError {
             &self.cause,
             Cause::NoMesh
                 | Cause::EmptyMesh
+                | Cause::View(_)
                 | Cause::Prepare(PrepareError::Mesh(_))
                 | Cause::Draw(DrawError::Prepare(PrepareError::Mesh(_)))
         )

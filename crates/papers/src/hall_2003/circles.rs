@@ -112,11 +112,15 @@ impl Path {
     /// The camera of a frame: sees the whole bounding sphere.
     ///
     /// # Errors
-    /// [`ViewError`] where the mesh is so far from the origin that eye and target round to one point.
+    /// [`ViewError`] where the mesh is so far from the origin that eye and target round to one point, or so large that 32 bits hold
+    /// no eye.
     pub fn camera(&self, frame: &Frame, size: [u32; 2]) -> Result<Camera, ViewError> {
         let eye = match frame.view {
             Viewpoint::Perspective { eye } | Viewpoint::Orthographic { toward_viewer: eye } => eye,
         };
+        if !eye.is_finite() {
+            return Err(ViewError::TooLarge);
+        }
         let fov_y_rad = 2.0 * ((1.0 + MARGIN) / CIRCLE.distance_radii).asin();
         Camera::new(eye, self.bounds.center.as_vec3(), Vec3::Y, Projection::Perspective { fov_y_rad }, size)
     }
@@ -157,6 +161,17 @@ mod tests {
         }
         let middle: DVec3 = frames.iter().filter(|frame| frame.is_measured).map(|frame| eye(frame.view)).sum();
         assert!(middle.with_y(0.0).length() < 1e-3, "arcs lie evenly around the mesh");
+    }
+
+    #[test]
+    fn a_mesh_that_no_eye_sees_whole_is_bad_input() {
+        let largest = f64::from(f32::MAX);
+        let bounds =
+            Bounds { min: DVec3::splat(-largest), max: DVec3::splat(largest), center: DVec3::ZERO, radius: largest };
+        let path = Path::new(bounds, 1);
+        let error = path.camera(&path.frames()[0], [100, 100]).unwrap_err();
+        assert_eq!(error, ViewError::TooLarge);
+        assert!(crate::PaperError::of("large")(error).is_of_input());
     }
 
     #[test]
