@@ -47,7 +47,7 @@ impl Progress for Report {
 /// Does work on a thread of its own. This thread, on which alone Python delivers signals, waits for it, and cancels it when a signal
 /// or `callback(stage, done, total)` raises; the work's result is then dropped.
 ///
-/// What the work notes is warned of once it is done.
+/// Notes of the work become warnings once it is done.
 ///
 /// # Errors
 /// What the signal or the callback raised, or else the failure of the work.

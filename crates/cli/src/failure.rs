@@ -88,12 +88,12 @@ impl Display for Failure {
 }
 
 thread_local! {
-    /// Notes of this thread, where somebody takes them.
+    /// Notes of this thread, while [`with_notes`] collects them.
     static TAKEN: RefCell<Option<Vec<String>>> = const { RefCell::new(None) };
 }
 
 /// Passes a note on, on one line: something that does not stop the command, but that its user has to know. It goes to
-/// [`with_notes`], else to who observes the command, else to stderr.
+/// [`with_notes`], else to the observer of the command, else to stderr.
 pub fn note(message: impl Display) {
     let line = one_line(&message.to_string());
     let left = TAKEN.with_borrow_mut(|taken| match taken {
@@ -113,10 +113,16 @@ pub fn note(message: impl Display) {
 
 /// Does work, and yields what it notes on this thread, instead of passing it on.
 pub fn with_notes<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
-    let outer = TAKEN.replace(Some(Vec::new()));
+    /// Restores what was collected before, after a panic as well.
+    struct Restores(Option<Vec<String>>);
+    impl Drop for Restores {
+        fn drop(&mut self) {
+            TAKEN.set(self.0.take());
+        }
+    }
+    let _restores = Restores(TAKEN.replace(Some(Vec::new())));
     let done = work();
-    let notes = TAKEN.replace(outer).unwrap_or_default();
-    (done, notes)
+    (done, TAKEN.take().unwrap_or_default())
 }
 
 /// clap's message as one line: its paragraphs up to the usage, which `--help` of the program shows.
@@ -191,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn notes_go_to_the_innermost_who_takes_them() {
+    fn notes_go_to_the_innermost_collector() {
         let ((inner, notes), outer) = with_notes(|| {
             note("before");
             let inner = with_notes(|| note("a\nnote"));
@@ -202,6 +208,12 @@ mod tests {
             (inner, notes, outer),
             ((), vec!["a note".to_owned()], vec!["before".to_owned(), "after".to_owned()])
         );
+        let ((), outer) = with_notes(|| {
+            let panicked = std::panic::catch_unwind(|| with_notes(|| panic!("in the middle")));
+            assert!(panicked.is_err());
+            note("after a panic");
+        });
+        assert_eq!(outer, ["after a panic"]);
     }
 
     #[test]

@@ -67,22 +67,25 @@ mod tests {
     #[test]
     fn notes_and_progress_go_to_the_observer_and_it_cancels() {
         let folder = tempfile::tempdir().unwrap();
-        let run = |cancels: bool, name: &str| {
+        let run = |cancels: bool, name: &str, threads: &[&str]| {
             let seen = Arc::new(Seen { cancels, ..Seen::default() });
             let file = folder.path().join(name);
             let view = ["--eye", "0,0,9", "--target", "0,0,20"];
-            let words = ["lines", "builtin:torus", "-o", file.to_str().unwrap()].into_iter().chain(view);
+            let words = ["lines", "builtin:torus", "-o", file.to_str().unwrap()].into_iter();
+            let words = words.chain(view).chain(threads.iter().copied());
             let result = observed(Arc::<Seen>::clone(&seen), || execute(words, &Registry::builtin()));
             (result, seen, file)
         };
-        let (result, seen, file) = run(false, "empty.svg");
-        result.unwrap();
-        let notes = seen.notes.lock().unwrap();
-        assert!(file.exists() && notes.len() == 1 && notes[0].contains("behind the eye"), "{notes:?}");
-        assert!(!seen.stages.lock().unwrap().is_empty());
-        let (result, _, file) = run(true, "cancelled.svg");
-        assert!(result.is_err() && !file.exists());
-        assert_eq!(folder.path().read_dir().unwrap().count(), 1, "nothing half-written stays");
+        for (count, threads) in [(1, &[][..]), (2, &["--threads", "1"])] {
+            let (result, seen, file) = run(false, &format!("empty-{count}.svg"), threads);
+            result.unwrap();
+            let notes = seen.notes.lock().unwrap();
+            assert!(file.exists() && notes.len() == 1 && notes[0].contains("behind the eye"), "{notes:?}");
+            assert!(!seen.stages.lock().unwrap().is_empty(), "{threads:?}");
+            let (result, _, file) = run(true, "cancelled.svg", threads);
+            assert!(result.is_err() && !file.exists(), "{threads:?}");
+            assert_eq!(folder.path().read_dir().unwrap().count(), count, "nothing half-written stays");
+        }
         assert!(current().is_none());
     }
 }

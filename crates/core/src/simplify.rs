@@ -81,8 +81,8 @@ pub fn simplify(mesh: &TriangleMesh, faces: usize) -> Result<TriangleMesh, Simpl
     simplify_with_progress(mesh, faces, &NoProgress)
 }
 
-/// Like [`simplify`], but stops when `progress` asks to: before and after each call of meshoptimizer, which itself cannot be stopped
-/// and takes about a microsecond per face, and between the steps of what checks its result.
+/// Like [`simplify`], but stops when `progress` asks to: before and after each call of meshoptimizer, which itself cannot be stopped,
+/// and between the steps of what checks its result.
 ///
 /// # Errors
 /// As [`simplify`]; [`SimplifyError::Cancelled`] when `progress` says so.

@@ -4,9 +4,9 @@ use super::reach::Extent;
 use bytemuck::{Pod, Zeroable};
 use silhouette_gpu::{FrameView, TargetFormats, WidthOverDepth};
 
-/// A step in depth that no rounding hides, as a share of the depth beyond the near plane and of the near plane's own, which counts no
-/// more than the mesh's radius; of that radius in an orthographic view. Sixteen-bit depth
-/// buffers have coarser ones in places, and lines there may be off by a pixel.
+/// A step in depth that no rounding hides, as a share of the depth beyond the near plane plus that of the near plane or the mesh's
+/// radius, whichever is smaller; in an orthographic view, of that radius. Sixteen-bit depth buffers have coarser ones in places, and
+/// lines there may be off by a pixel.
 const DEPTH_STEP: f64 = 1.0 / (1 << 14) as f64;
 
 /// How ink ends across a line.

@@ -28,7 +28,8 @@ pub(super) struct ThresholdsUniform {
 }
 
 impl ThresholdsUniform {
-    /// Those of a mesh whose middle is at the depth `middle` and whose radius in view space is `radius`; where there is no mesh the G-buffer's depth is `ground`.
+    /// Those of a mesh whose middle is at the depth `middle` and whose radius in view space is `radius`; where there is no mesh the
+    /// G-buffer's depth is `ground`.
     pub fn new(options: &GbufferFilterOptions, view: &FrameView, middle: f64, radius: f64, ground: f32) -> Self {
         // No farther from any depth of the mesh than by a factor, wherever the viewer stands.
         let middle = middle.max(radius);

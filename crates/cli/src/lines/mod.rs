@@ -19,6 +19,7 @@ use format::{Format, PageFormat};
 use crate::failure::{Failure, note, with_notes};
 use crate::input;
 use crate::mesh_argument::MeshArgument;
+use crate::observer::{self, observed};
 use crate::output::Output;
 use crate::progress::TerminalProgress;
 use silhouette_core::load::LabelledMesh;
@@ -45,8 +46,12 @@ pub fn write(
 fn with_threads(threads: Option<u16>, work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
     let Some(threads) = threads else { return work() };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
-    // Notes belong to the thread that called.
-    let (done, notes) = pool.map_err(Failure::run)?.install(|| with_notes(work));
+    // Whoever observes the calling thread observes its work, and gets its notes.
+    let observer = observer::current();
+    let (done, notes) = pool.map_err(Failure::run)?.install(|| match observer {
+        Some(observer) => observed(observer, || with_notes(work)),
+        None => with_notes(work),
+    });
     notes.into_iter().for_each(note);
     done
 }

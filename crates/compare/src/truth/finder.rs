@@ -8,7 +8,7 @@ use super::visible::{Silhouette, VisibleLine, visible_lines};
 use crate::metrics::ink::Ink;
 use silhouette_core::method::PrepareError;
 use silhouette_core::view::Camera;
-use silhouette_core::{Cancelled, FaceFacings, PreparedMesh, Progress, SilhouetteEdges, Topology};
+use silhouette_core::{Cancelled, FaceFacings, PreparedMesh, Progress, Quiet, SilhouetteEdges, Topology};
 use silhouette_gpu::Pen;
 use silhouette_visibility::{LineError, LineFinder, LineOptions, LineScene, Lines, Outline};
 use std::sync::Arc;
@@ -63,17 +63,6 @@ impl Truth {
 /// The lines whose visibility the truth needs: every silhouette edge and nothing else.
 pub fn silhouette_options() -> LineOptions {
     LineOptions { back_boundary: false, material: false, curves: false, ..LineOptions::default() }
-}
-
-/// Forwards cancellation; suppresses the stages of single views.
-struct Quiet<'a>(&'a dyn Progress);
-
-impl Progress for Quiet<'_> {
-    fn stage(&self, _name: &str, _total: u64) {}
-    fn advance(&self, _steps: u64) {}
-    fn is_cancelled(&self) -> bool {
-        self.0.is_cancelled()
-    }
 }
 
 /// Nothing for a view that is too crowded; any other error stays one.
@@ -211,7 +200,7 @@ mod tests {
         (mesh, truth)
     }
 
-    /// Of the sides of a face without area the drawing takes one and facing another.
+    /// Of the sides of such a face the exact drawing may take one where facing makes another the silhouette edge.
     #[test]
     fn faces_without_area_take_no_line_from_the_truth() {
         let lattice = |p: &Vec3| (*p * 256.0).round() / 256.0;

@@ -30,7 +30,7 @@
 //! | glTF | its buffers, and a mesh of at most 16 n + 256 MiB: a document may place one mesh, or read one accessor, many times | O(n + mesh) |
 //!
 //! What would take more is refused before memory is taken for it. [`load_labelled_within`] bounds n, by which all of this is bounded.
-//! A [`Progress`] is asked every 256 KiB, those of a glTF document included, and between placed meshes.
+//! A [`Progress`] is asked every 256 KiB, those of a glTF document of many values included, and between placed meshes.
 //!
 //! Cost: O(bytes), one pass (a second one where rows are broken; for a concave polygon of n corners O(n log n) in most
 //! cases, bounded by 1024 steps per corner), 150 MB/s of text or more on one core (350 MB/s of short OBJ rows).

@@ -59,8 +59,9 @@ pub static PAPER: Paper = Paper {
         "Sixty copies of a coarse mesh lie at the same place, each turned by another angle and smoothed for itself, with pipelines \
          and mesh buffers shared. Direct drawing is PN triangles with no points inserted: the same vertices and the same shader. \
          What methods add to that shows in ratios; how much of a frame goes to covering pixels depends on the device.",
-        "The paper triangulates the visible part of silhouette triangles; here the invisible part counts as well, but on closed \
-         meshes for the triangles of it that are seen from behind, which are left out. Growth depends on the tolerance, which the paper leaves open between 0.5 and 2 px.",
+        "The paper triangulates the visible part of silhouette triangles; here the invisible part counts as well, \
+         except, on closed meshes, its triangles that are seen from behind, which are left out. Growth depends on the tolerance, which the \
+         paper leaves open between 0.5 and 2 px.",
         "Of the paper's 4 % it is not known whether the time of one copy or of sixty is meant, or how fast its processor was beside \
          its card. The share of the CPU's time is the stricter reading.",
     ],
