@@ -5,6 +5,10 @@ use crate::face_normal::face_normal;
 use crate::id::{EdgeId, PerEdge, VertexId};
 use crate::mesh::TriangleMesh;
 use crate::topology::Topology;
+use rayon::prelude::*;
+
+/// Edges that a task takes at least: about 0.3 ms of work.
+const EDGES_PER_TASK: usize = 4096;
 
 /// Whether each edge is a feature edge. An edge is one
 ///
@@ -13,7 +17,7 @@ use crate::topology::Topology;
 /// - if it does not join exactly two consistently wound faces: boundary edges, non-manifold edges, edges where the winding
 ///   changes, and sides from a vertex to itself. No shading normal is continuous there.
 ///
-/// Pairs of `given` that are no edges of the mesh are ignored. O(E).
+/// Pairs of `given` that are no edges of the mesh are ignored. O(E), parallel.
 pub fn feature_edges(
     mesh: &TriangleMesh,
     topology: &Topology,
@@ -27,7 +31,7 @@ pub fn feature_edges(
         let [Some(n0), Some(n1)] = normals else { return false };
         crease_deg < 180.0 && n0.dot(n1) <= least_cosine
     };
-    let edges = (0..topology.edge_count()).map(EdgeId::from_usize);
+    let edges = (0..topology.edge_count()).into_par_iter().with_min_len(EDGES_PER_TASK).map(EdgeId::from_usize);
     let mut features = PerEdge::from(edges.map(is_feature).collect::<Vec<_>>());
     for &[a, b] in given {
         if let Some(edge) = topology.find_edge(a, b) {

@@ -1,14 +1,16 @@
 //! Progress and cancellation of long work, without a terminal in sight: a command line draws a bar, a server cancels.
 
-/// Told how far a long piece of work has come, asked whether to go on.
+/// Receives how far a long piece of work has come, and decides whether it goes on.
 ///
-/// Called from any thread, a few hundred times a second at most; implementations should be cheap.
+/// Called from any thread and often, in some stages once per ray or texel; implementations should be cheap. While a mesh of a million
+/// faces is prepared, calls of [`is_cancelled`](Self::is_cancelled) are at most about 80 ms apart on two cores, and 140 ms where
+/// `obvhs` builds a hierarchy of boxes in one call (`texture`); the time grows with the mesh.
 pub trait Progress: Sync {
     /// A new stage begins, of `total` steps (0 where the number is not known beforehand).
     fn stage(&self, name: &str, total: u64);
     /// `steps` more steps of the current stage are done.
     fn advance(&self, steps: u64);
-    /// Whether the work should stop; polled between steps.
+    /// Whether the work should stop; polled between and within steps.
     fn is_cancelled(&self) -> bool {
         false
     }
@@ -22,7 +24,7 @@ pub trait Progress: Sync {
     }
 }
 
-/// Listens to nothing and never cancels.
+/// Ignores all reports and never cancels.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct NoProgress;
 
@@ -31,10 +33,10 @@ impl Progress for NoProgress {
     fn advance(&self, _steps: u64) {}
 }
 
-/// Asks another one whether to stop, and reports nothing to it: for work that is a step of a stage, and has stages of its own.
+/// Passes on whether to stop, but no reports: for work that is one step of a stage and has stages of its own.
 #[derive(Clone, Copy)]
 pub struct Quiet<'a>(
-    /// The one that is asked.
+    /// The one that decides.
     pub &'a dyn Progress,
 );
 

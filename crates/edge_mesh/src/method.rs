@@ -82,6 +82,7 @@ impl Method for EdgeMesh {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         progress.check()?;
         let built = builder::build(mesh, &topology, options);
+        progress.check()?;
         let is_outward = built.is_closed && part_volumes(mesh.mesh(), &topology).iter().all(|&volume| volume > 0.0);
         Ok(Self {
             mesh: Arc::clone(mesh.mesh()),

@@ -87,7 +87,8 @@ impl Method for ClusterCones {
         let topology = mesh.artefact::<Topology>(Self::INFO.name, progress)?;
         let patches = mesh.artefact::<FacePatches>(Self::INFO.name, progress)?;
         progress.check()?;
-        let tree = ConeTree::new(mesh.mesh(), &patches.layout, &patches.planes);
+        let tree = ConeTree::new(mesh.mesh(), &patches.layout, &patches.planes, progress)?;
+        progress.check()?;
         let harvests = vec![Harvest::default(); patches.len().div_ceil(PATCHES_PER_TASK)];
         let order = EdgeOrder::new(topology.edge_count());
         Ok(Self {

@@ -98,9 +98,12 @@ impl Method for AdaptiveRefinement {
         let segments = 1 << options.halvings;
         check_size(mesh.mesh().face_count(), segments)?;
         let mesh = Arc::new(ShadingMesh::new(mesh, options.crease_deg, options.normals, Self::INFO.name, progress)?);
+        progress.check()?;
         let faces = (0..mesh.triangles().len()).map(FaceId::from_usize);
         let normals = faces.map(|face| face_normal(mesh.mesh().corners(face)).unwrap_or(DVec3::ZERO)).collect();
+        progress.check()?;
         let curves = side_curves(&mesh);
+        progress.check()?;
         let remesher = AdaptiveRemesher {
             law: Law { full_deg: options.full_deg, none_deg: options.none_deg },
             segments,

@@ -18,6 +18,7 @@ use crate::concavity::BlockingPlane;
 use crate::shading_mesh::ShadingMesh;
 use silhouette_core::FaceId;
 use silhouette_core::glam::DVec3;
+use silhouette_core::{Cancelled, Progress};
 
 silhouette_core::option_choice! {
     /// Whether and how far vertices near concave segments are moved.
@@ -62,9 +63,15 @@ struct Near {
 
 const NONE: u32 = u32::MAX;
 
+/// Faces between two questions whether to go on: about 10 ms.
+const FACES_PER_CHECK: usize = 1 << 16;
+
 impl Perturber {
     /// Lists the neighbours of every face. O(F), 50 bytes per face; nothing where perturbation is off.
-    pub fn new(mesh: &ShadingMesh, law: Perturbation) -> Self {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(mesh: &ShadingMesh, law: Perturbation, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let mut perturber = Self {
             law,
             first: Vec::new(),
@@ -77,12 +84,12 @@ impl Perturber {
             moved: Vec::new(),
         };
         if law != Perturbation::Off {
-            perturber.list_neighbours(mesh);
+            perturber.list_neighbours(mesh, progress)?;
         }
-        perturber
+        Ok(perturber)
     }
 
-    fn list_neighbours(&mut self, mesh: &ShadingMesh) {
+    fn list_neighbours(&mut self, mesh: &ShadingMesh, progress: &dyn Progress) -> Result<(), Cancelled> {
         let vertices = mesh.mesh().vertex_count();
         self.reach = vec![f32::INFINITY; vertices];
         self.heads = vec![NONE; vertices];
@@ -93,20 +100,25 @@ impl Perturber {
                 self.reach[vertex] = self.reach[vertex].min(length);
             }
         }
+        progress.check()?;
         let (first, around) = vertex_neighbours(mesh);
         self.first.push(0);
         let mut near = Vec::new();
-        for corners in mesh.mesh().triangles() {
-            near.clear();
-            near.extend_from_slice(corners);
-            for corner in corners.map(|corner| corner as usize) {
-                near.extend_from_slice(&around[first[corner] as usize..first[corner + 1] as usize]);
+        for run in mesh.mesh().triangles().chunks(FACES_PER_CHECK) {
+            progress.check()?;
+            for corners in run {
+                near.clear();
+                near.extend_from_slice(corners);
+                for corner in corners.map(|corner| corner as usize) {
+                    near.extend_from_slice(&around[first[corner] as usize..first[corner + 1] as usize]);
+                }
+                near.sort_unstable();
+                near.dedup();
+                self.neighbours.extend_from_slice(&near);
+                self.first.push(self.neighbours.len() as u32);
             }
-            near.sort_unstable();
-            near.dedup();
-            self.neighbours.extend_from_slice(&near);
-            self.first.push(self.neighbours.len() as u32);
         }
+        Ok(())
     }
 
     /// Forgets all planes.
@@ -226,7 +238,7 @@ mod tests {
     /// Planes that touch the sphere of radius `at` in some directions near a vertex, and the vertex's place after perturbation.
     fn perturbed(law: Perturbation, at: f64, count: usize) -> (DVec3, Vec<BlockingPlane>, DVec3) {
         let mesh = mesh();
-        let mut perturber = Perturber::new(&mesh, law);
+        let mut perturber = Perturber::new(&mesh, law, &NoProgress).unwrap();
         let vertex = mesh.mesh().triangles()[0][0];
         let position = mesh.mesh().positions()[vertex as usize].as_dvec3();
         let planes: Vec<_> = spread(count)
@@ -265,7 +277,7 @@ mod tests {
     #[test]
     fn no_vertex_moves_farther_than_its_shortest_edge() {
         let mesh = mesh();
-        let mut perturber = Perturber::new(&mesh, Perturbation::Lowered);
+        let mut perturber = Perturber::new(&mesh, Perturbation::Lowered, &NoProgress).unwrap();
         let far = BlockingPlane { middle: DVec3::splat(-50.0), normal: DVec3::X, height: 100.0 };
         perturber.push(FaceId::new(3), far);
         perturber.find(&mesh);

@@ -5,7 +5,7 @@ use crate::view_mesh::Origin;
 use silhouette_core::feature_edges::feature_edges;
 use silhouette_core::glam::Vec3;
 use silhouette_core::id::{HalfEdgeId, PerEdge};
-use silhouette_core::inside_out::inside_out_faces;
+use silhouette_core::inside_out::inside_out_faces_with_progress;
 use silhouette_core::{Cancelled, FaceId, PreparedMesh, Progress, Topology, TriangleMesh};
 use std::ops::Range;
 use std::sync::Arc;
@@ -45,9 +45,13 @@ impl ShadingMesh {
         let given = mesh.feature_edges();
         let features = feature_edges(mesh.mesh(), &topology, given, crease_deg);
         let mesh = Arc::clone(mesh.mesh());
-        let is_turned = inside_out_faces(&mesh, &topology);
-        let groups = Groups::new(&mesh, &topology, &features);
+        progress.check()?;
+        let is_turned = inside_out_faces_with_progress(&mesh, &topology, progress)?;
+        progress.check()?;
+        let groups = Groups::new(&mesh, &topology, &features, progress)?;
+        progress.check()?;
         let normals = shading_normals(&mesh, &groups, weights, &is_turned);
+        progress.check()?;
         let mut origins = vec![Origin { face: FaceId::new(0), weights: [0.0; 3] }; groups.vertex.len()];
         for (face, corners) in groups.of_corner.iter().enumerate().rev() {
             for (slot, &corner) in corners.iter().enumerate() {
@@ -55,6 +59,7 @@ impl ShadingMesh {
                     Origin { face: FaceId::from_usize(face), weights: Vec3::AXES[slot].to_array() };
             }
         }
+        progress.check()?;
         let feature_on = |face: usize, slot: u32| {
             let half_edge = HalfEdgeId::of(FaceId::from_usize(face), slot);
             features[topology.edge_of(half_edge)]

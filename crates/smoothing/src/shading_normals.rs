@@ -8,7 +8,7 @@
 use silhouette_core::face_normal::face_normal;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::id::{FaceId, PerEdge};
-use silhouette_core::{DisjointSets, EdgeId, Topology, TriangleMesh};
+use silhouette_core::{Cancelled, DisjointSets, EdgeId, Progress, Topology, TriangleMesh};
 
 silhouette_core::option_choice! {
     /// How much each face counts in the normal of a vertex.
@@ -33,7 +33,15 @@ pub struct Groups {
 
 impl Groups {
     /// Sorts corners into groups by union and find. O(F α(F)).
-    pub fn new(mesh: &TriangleMesh, topology: &Topology, features: &PerEdge<bool>) -> Self {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(
+        mesh: &TriangleMesh,
+        topology: &Topology,
+        features: &PerEdge<bool>,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
         let mut sets = DisjointSets::new(topology.half_edge_count());
         for edge in (0..topology.edge_count()).map(EdgeId::from_usize).filter(|&edge| !features[edge]) {
             // Consistently wound: where one half-edge begins, the other ends.
@@ -42,6 +50,7 @@ impl Groups {
                 sets.unite(b.get(), a.next_in_face().get());
             }
         }
+        progress.check()?;
         let corner_at = |corner: usize| mesh.triangles()[corner / 3][corner % 3];
         let mut roots: Vec<(u32, u32)> = (0..topology.half_edge_count())
             .filter(|&corner| sets.find(corner as u32) == corner as u32)
@@ -52,6 +61,7 @@ impl Groups {
         let unused = is_used.iter().enumerate().filter(|(_, used)| !**used);
         roots.extend(unused.map(|(vertex, _)| (vertex as u32, u32::MAX)));
         roots.sort_unstable();
+        progress.check()?;
         let mut group_of_root = vec![0; topology.half_edge_count()];
         for (group, &(_, root)) in roots.iter().enumerate() {
             if root != u32::MAX {
@@ -61,7 +71,7 @@ impl Groups {
         let mut group = |corner: u32| group_of_root[sets.find(corner) as usize];
         let of_corner =
             (0..mesh.face_count() as u32).map(|face| [0, 1, 2].map(|slot| group(3 * face + slot))).collect();
-        Self { of_corner, vertex: roots.into_iter().map(|(vertex, _)| vertex).collect() }
+        Ok(Self { of_corner, vertex: roots.into_iter().map(|(vertex, _)| vertex).collect() })
     }
 }
 
@@ -104,13 +114,14 @@ const LEAST_SHARE: f64 = 1e-6;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use silhouette_core::NoProgress;
     use silhouette_core::feature_edges::feature_edges;
     use silhouette_core::shapes::{self, Cuboid};
 
     fn groups_and_normals(mesh: &TriangleMesh, crease_deg: f64) -> (Groups, Vec<Vec3>) {
         let topology = Topology::new(mesh);
         let features = feature_edges(mesh, &topology, &[], crease_deg);
-        let groups = Groups::new(mesh, &topology, &features);
+        let groups = Groups::new(mesh, &topology, &features, &NoProgress).unwrap();
         let normals = shading_normals(mesh, &groups, NormalWeights::Angle, &vec![false; mesh.face_count()]);
         (groups, normals)
     }

@@ -86,9 +86,12 @@ impl Method for Smoothing {
     ) -> Result<Self, PrepareError> {
         options.validate()?;
         let mesh = ShadingMesh::new(mesh, options.crease_deg, options.normals, Self::INFO.name, progress)?;
+        progress.check()?;
         let polylines = feature_polylines(mesh.mesh(), mesh.topology(), mesh.features(), options.corner_deg);
         let features =
             FeatureSegments::new(mesh.mesh(), mesh.topology(), mesh.features(), &polylines, options.tangents);
+        progress.check()?;
+        let perturber = Perturber::new(&mesh, options.perturbation, progress)?;
         Ok(Self {
             visibility: VertexVisibility::new(&mesh, options.cells),
             triangles: Vec::new(),
@@ -96,7 +99,7 @@ impl Method for Smoothing {
             samples: FeatureSamples::default(),
             counts: Vec::new(),
             remeshing: LocalRemeshing::default(),
-            perturber: Perturber::new(&mesh, options.perturbation),
+            perturber,
             walker: CurveWalker::default(),
             fixed: Arc::new(Fixed { options: *options, mesh, polylines, features }),
         })

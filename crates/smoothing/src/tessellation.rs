@@ -65,7 +65,9 @@ impl<P: Patch> Tessellation<P> {
         let segments = level + 1;
         check_size(mesh.mesh().face_count(), segments)?;
         let mesh = ShadingMesh::new(mesh, crease_deg, weights, asker, progress)?;
+        progress.check()?;
         let curves = Arc::new(side_curves(&mesh));
+        progress.check()?;
         Ok(Self { mesh: Arc::new(mesh), curves, patch, segments, splitter: FaceSplitter::default(), made: None })
     }
 

@@ -10,6 +10,7 @@
 use crate::centers::{angle_at, normals};
 use crate::hull::Hull;
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 use silhouette_core::{Cancelled, FaceId, Progress, TriangleMesh, glam};
 use silhouette_rays::{MeshHierarchy, RayCaster};
 
@@ -21,6 +22,9 @@ pub const WHITE: [u8; 4] = [255; 4];
 
 /// How much farther than the nearest point q may lie. A ray at 75 degrees to a plane goes about 4 times as far as its foot.
 pub const MOST_DETOUR: f64 = 4.0;
+
+/// Faces that a task takes, which asks before whether to go on: about 3 ms of work.
+const FACES_PER_TASK: usize = 4096;
 
 /// What of the object is drawn at points of the hull.
 pub struct Correspondence<'a> {
@@ -47,7 +51,8 @@ impl<'a> Correspondence<'a> {
         colors: Option<&'a ColorAt<'a>>,
         progress: &dyn Progress,
     ) -> Result<Self, Cancelled> {
-        let (corners, hull) = (corner_normals(mesh, crease_deg), normals(hull.mesh()));
+        let corners = corner_normals(mesh, crease_deg, progress)?;
+        let hull = normals(hull.mesh());
         let distances = MeshHierarchy::with_progress(mesh, progress)?;
         Ok(Self { mesh, rays, distances, corners, hull, colors })
     }
@@ -87,13 +92,17 @@ fn weights_at(corners: [Vec3; 3], point: DVec3) -> Vec3 {
 }
 
 /// Unit normals at the corners of faces, smooth across edges below the crease angle.
-fn corner_normals(mesh: &TriangleMesh, crease_deg: f64) -> Vec<[Vec3; 3]> {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+fn corner_normals(mesh: &TriangleMesh, crease_deg: f64, progress: &dyn Progress) -> Result<Vec<[Vec3; 3]>, Cancelled> {
     let faces = || (0..mesh.face_count()).map(FaceId::from_usize);
     let normal = |face| {
         let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
         (b - a).cross(c - a).normalize_or_zero()
     };
     let flat: Vec<DVec3> = faces().map(normal).collect();
+    progress.check()?;
     // Corners by vertex: those of vertex v are order[first[v]..first[v + 1]].
     let mut first = vec![0_usize; mesh.vertex_count() + 1];
     for &vertex in mesh.triangles().iter().flatten() {
@@ -110,6 +119,7 @@ fn corner_normals(mesh: &TriangleMesh, crease_deg: f64) -> Vec<[Vec3; 3]> {
             next[vertex as usize] += 1;
         }
     }
+    progress.check()?;
     let least = crease_deg.to_radians().cos();
     let corner = |face: FaceId, vertex: u32| {
         let around = &order[first[vertex as usize]..first[vertex as usize + 1]];
@@ -118,5 +128,13 @@ fn corner_normals(mesh: &TriangleMesh, crease_deg: f64) -> Vec<[Vec3; 3]> {
         let sum: DVec3 = smooth.map(|&(other, slot)| angle_at(mesh, other, slot) * flat[other.index()]).sum();
         sum.normalize_or(flat[face.index()]).as_vec3()
     };
-    faces().map(|face| mesh.triangles()[face.index()].map(|vertex| corner(face, vertex))).collect()
+    let mut normals = vec![[Vec3::ZERO; 3]; mesh.face_count()];
+    normals.par_chunks_mut(FACES_PER_TASK).enumerate().try_for_each(|(run, normals)| {
+        progress.check()?;
+        for (face, normals) in (run * FACES_PER_TASK..).zip(normals) {
+            *normals = mesh.triangles()[face].map(|vertex| corner(FaceId::from_usize(face), vertex));
+        }
+        Ok(())
+    })?;
+    Ok(normals)
 }

@@ -13,11 +13,14 @@ use silhouette_core::facing::{Facing, judge};
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::prepared::Artefact;
 use silhouette_core::progress::Cancelled;
-use silhouette_core::{FaceId, HalfEdgeId, PreparedMesh, Progress, TriangleMesh, Viewpoint};
+use silhouette_core::{FaceId, HalfEdgeId, NoProgress, PreparedMesh, Progress, TriangleMesh, Viewpoint};
 use std::f32::consts::PI;
 
 /// Sine below which two faces on opposite sides of a half-turn count as folded onto each other.
 const FOLD_SINE: f64 = 1e-6;
+
+/// Faces between two questions whether to go on: about 5 ms.
+const FACES_PER_CHECK: usize = 1 << 16;
 
 /// A concave edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,12 +49,17 @@ pub(crate) struct ConcaveEdges {
 
 impl TrackedEdges {
     /// Finds the edges of a mesh with this table. O(F + E), and O(C log C) for C concave edges.
-    pub fn new(mesh: &TriangleMesh, table: &ConnectivityTable) -> Self {
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn new(mesh: &TriangleMesh, table: &ConnectivityTable, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let mut concave = ConcaveEdges::default();
-        concave.find(mesh.positions(), mesh.triangles(), table);
+        concave.search(mesh.positions(), mesh.triangles(), table, progress)?;
+        concave.sort();
+        progress.check()?;
         let half_edges = (0..3 * table.face_count()).map(HalfEdgeId::from_usize);
         let boundary = half_edges.filter(|&half_edge| table.twin(half_edge).is_none()).collect();
-        Self { concave, boundary }
+        Ok(Self { concave, boundary })
     }
 
     /// No edges: for trackers in the exact mode, which search none.
@@ -78,14 +86,34 @@ impl ConcaveEdges {
     /// Replaces the edges by those of other positions. O(E), and O(C log C) for C concave edges; no allocation from the
     /// second call on.
     pub(crate) fn find(&mut self, positions: &[Vec3], triangles: &[[u32; 3]], table: &ConnectivityTable) {
+        self.search(positions, triangles, table, &NoProgress).expect("nobody cancels");
+        self.sort();
+    }
+
+    fn search(
+        &mut self,
+        positions: &[Vec3],
+        triangles: &[[u32; 3]],
+        table: &ConnectivityTable,
+        progress: &dyn Progress,
+    ) -> Result<(), Cancelled> {
         let shape = Shape { positions, triangles, table };
-        self.by_angle.clear();
-        let half_edges = (0..3 * table.face_count()).map(HalfEdgeId::from_usize);
-        self.by_angle.extend(half_edges.filter_map(|one| {
+        let concave = |one| {
             let other = table.twin(one).filter(|&other| one < other)?;
             let angle_rad = shape.concave_angle(one, other)?;
             Some(ConcaveEdge { half_edges: [one, other], angle_rad })
-        }));
+        };
+        self.by_angle.clear();
+        let faces = table.face_count();
+        for first in (0..faces).step_by(FACES_PER_CHECK) {
+            progress.check()?;
+            let half_edges = 3 * first..3 * faces.min(first + FACES_PER_CHECK);
+            self.by_angle.extend(half_edges.map(HalfEdgeId::from_usize).filter_map(concave));
+        }
+        Ok(())
+    }
+
+    fn sort(&mut self) {
         self.by_angle
             .sort_unstable_by(|a, b| b.angle_rad.total_cmp(&a.angle_rad).then_with(|| a.half_edges.cmp(&b.half_edges)));
         self.by_half_edge.clear();
@@ -144,7 +172,7 @@ impl Artefact for TrackedEdges {
         let table = mesh.artefact::<ConnectivityTable>(Self::NAME, progress)?;
         progress.check()?;
         progress.stage("concave edges", 1);
-        let edges = Self::new(mesh.mesh(), &table);
+        let edges = Self::new(mesh.mesh(), &table, progress)?;
         progress.advance(1);
         Ok(edges)
     }

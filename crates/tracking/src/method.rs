@@ -50,7 +50,9 @@ fn prepare(
     progress: &dyn Progress,
 ) -> Result<Tracking, PrepareError> {
     let table = mesh.artefact::<ConnectivityTable>(asker, progress)?;
+    progress.check()?;
     let tracker = Tracker::new(Arc::clone(mesh.mesh()), table, edges, options);
+    progress.check()?;
     Ok(tracker.map_err(|refusal| PrepareError::Mesh(Box::new(RefusedByMethod { refusal, mend })))?.into())
 }
 

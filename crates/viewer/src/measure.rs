@@ -38,6 +38,12 @@ impl Stretch {
         Self { begun: now, process_at_begin, process: None, frames: Vec::new(), last: (now, ThreadTime::now()) }
     }
 
+    /// A stretch that begins with the frame that has not ended yet.
+    fn branch(&self) -> Self {
+        let process_at_begin = self.process_at_begin.map(|begun| begun + self.process.unwrap_or_default());
+        Self { begun: self.last.0, process_at_begin, process: None, frames: Vec::new(), last: self.last }
+    }
+
     /// A frame ends, and the next begins.
     fn frame(&mut self, now: Instant) {
         let thread = ThreadTime::now();
@@ -143,9 +149,13 @@ impl Measurement {
             if let Some(first_picture) = &mut self.first_picture {
                 first_picture.frame(now);
             } else if let Some(preparing) = &mut self.preparing {
-                preparing.frame(now);
                 if are_prepared {
-                    self.first_picture = Some(Stretch::new(now));
+                    // The drawing may have begun at once, within this frame.
+                    let mut first_picture = preparing.branch();
+                    first_picture.frame(now);
+                    self.first_picture = Some(first_picture);
+                } else {
+                    preparing.frame(now);
                 }
             } else if let Some(start) = &mut self.start {
                 start.frame(now);
@@ -234,6 +244,7 @@ mod tests {
         assert!((orbiting.rate() - 10.0).abs() < 1e-9 && orbiting.above(LONG) == 0);
         assert!((measurement.picture_rates()[0] - 25.0).abs() < 1e-9, "{:?}", measurement.picture_rates());
         let report = measurement.report(&[("brute-force", Some(12.34))]);
+        assert!(report.contains("first picture: 0.02 s, 2 frames of the window"), "{report}");
         assert!(report.contains("1 above 100 ms; the longest 150.0 ms"), "{report}");
         assert!(
             report.contains("brute-force: 25.0 pictures per second, median frame of the method 12.3 ms"),

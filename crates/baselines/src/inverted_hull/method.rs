@@ -89,12 +89,12 @@ impl Method for InvertedHull {
     fn prepare(
         mesh: &Arc<PreparedMesh>,
         options: &InvertedHullOptions,
-        _progress: &dyn Progress,
+        progress: &dyn Progress,
     ) -> Result<Self, PrepareError> {
         options.validate()?;
         let is_welded = options.normals == HullNormals::Welded;
-        let normals = is_welded.then(|| Arc::new(OutlineNormals::new(mesh.mesh())));
-        Ok(Self { options: *options, normals })
+        let normals = is_welded.then(|| OutlineNormals::with_progress(mesh.mesh(), progress)).transpose()?;
+        Ok(Self { options: *options, normals: normals.map(Arc::new) })
     }
 
     fn bytes(&self) -> usize {

@@ -3,12 +3,17 @@
 //! Vertices that lie at one place move together, whatever their numbers: what is welded is kept apart from the mesh and its
 //! triangles, which stay as they are. Twin, for vertices that move on the device: `shaders/baselines/outline_normals.wgsl`.
 
+use rayon::prelude::*;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::mesh::TriangleMesh;
 use silhouette_core::weld::weld_exact;
+use silhouette_core::{Cancelled, NoProgress, Progress};
 
 /// A sum of normals below this share of its weights is cancellation.
 const LEAST_SHARE: f64 = 1e-5;
+
+/// Places that a task takes at least: about 0.2 ms of work.
+const PLACES_PER_TASK: usize = 1024;
 
 /// The places where vertices of a mesh lie, the corners there, and a normal for each.
 ///
@@ -25,9 +30,20 @@ pub struct OutlineNormals {
 }
 
 impl OutlineNormals {
-    /// Those of a mesh. O(V + F) expected.
+    /// Those of a mesh. O(V + F) expected, parallel.
+    #[expect(clippy::missing_panics_doc, reason = "nobody cancels")]
     pub fn new(mesh: &TriangleMesh) -> Self {
+        Self::with_progress(mesh, &NoProgress).expect("nobody cancels")
+    }
+
+    /// Like [`new`](Self::new), but stops between its steps when `progress` asks to.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when `progress` says so.
+    pub fn with_progress(mesh: &TriangleMesh, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        progress.check()?;
         let welded = weld_exact(mesh);
+        progress.check()?;
         let places = welded.mesh.vertex_count();
         let place_of_corner: Vec<u32> = welded.mesh.triangles().iter().flatten().copied().collect();
         // A counting sort: how many corners each place has, where they begin, and then which.
@@ -46,8 +62,9 @@ impl OutlineNormals {
             *at += 1;
         }
         let mut normals = Self { place_of: welded.vertex_of, first_corners, corners, normals: Vec::new() };
+        progress.check()?;
         normals.normals = normals.of_positions(mesh.positions(), mesh.triangles());
-        normals
+        Ok(normals)
     }
 
     /// Number of vertices of the mesh.
@@ -55,7 +72,7 @@ impl OutlineNormals {
         self.place_of.len()
     }
 
-    /// The normal of each place for other positions of the same vertices; the places stay those of the mesh at rest. O(F).
+    /// The normal of each place for other positions of the same vertices; the places stay those of the mesh at rest. O(F), parallel.
     ///
     /// # Panics
     /// If `positions` or `triangles` are not those of a mesh with the same triangles.
@@ -75,7 +92,7 @@ impl OutlineNormals {
             }
             if sum.length() > LEAST_SHARE * weights { sum.normalize_or_zero().as_vec3() } else { Vec3::ZERO }
         };
-        self.first_corners.windows(2).map(normal).collect()
+        self.first_corners.par_windows(2).with_min_len(PLACES_PER_TASK).map(normal).collect()
     }
 
     /// The normal at each vertex of the mesh at rest: unit, or zero.

@@ -15,7 +15,7 @@ use super::pairs::{OUTSIDE, pairs_of};
 use super::planes::{Frame, LANES};
 use rayon::prelude::*;
 use silhouette_core::morton::place;
-use silhouette_core::{Topology, TriangleMesh};
+use silhouette_core::{Cancelled, Progress, Topology, TriangleMesh};
 use std::collections::VecDeque;
 
 /// Faces that one task partitions. Patches end where chunks end: at this size that lengthens patch borders by under 2 %.
@@ -44,16 +44,25 @@ impl Partition {
 }
 
 /// Partitions the faces of `mesh`. See the [module](self).
-pub(crate) fn partition(mesh: &TriangleMesh, topology: &Topology, frame: &Frame) -> Partition {
+///
+/// # Errors
+/// [`Cancelled`] when `progress` says so.
+pub(crate) fn partition(
+    mesh: &TriangleMesh,
+    topology: &Topology,
+    frame: &Frame,
+    progress: &dyn Progress,
+) -> Result<Partition, Cancelled> {
     let curve = along_curve(mesh, frame);
+    progress.check()?;
     let mut rank = vec![0; curve.len()];
     for (position, &face) in curve.iter().enumerate() {
         rank[face as usize] = position as u32;
     }
     let chunks: Vec<_> = (0..curve.len().div_ceil(CHUNK))
         .into_par_iter()
-        .map(|chunk| Growth::new(topology, &curve, &rank, chunk).grow())
-        .collect();
+        .map(|chunk| progress.check().map(|()| Growth::new(topology, &curve, &rank, chunk).grow()))
+        .collect::<Result<_, _>>()?;
     let mut partition = Partition { patch_of: rank, ..Partition::default() };
     for (faces, ends) in chunks {
         let base = partition.faces.len() as u32;
@@ -66,7 +75,7 @@ pub(crate) fn partition(mesh: &TriangleMesh, topology: &Topology, frame: &Frame)
             partition.patch_of[face as usize] = patch as u32;
         }
     }
-    partition
+    Ok(partition)
 }
 
 /// All faces in the order of a Morton curve through their centroids.

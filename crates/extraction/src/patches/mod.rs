@@ -97,7 +97,7 @@ impl FacePatches {
     /// Builds the patches of a mesh. O(F log F), parallel.
     ///
     /// # Errors
-    /// [`Cancelled`] by `progress`, which is asked between the four steps.
+    /// [`Cancelled`] by `progress`, which is asked between the four steps, and within the first.
     pub fn new(mesh: &TriangleMesh, topology: &Topology, progress: &dyn Progress) -> Result<Self, Cancelled> {
         progress.stage("face patches", 4);
         let step = || {
@@ -106,7 +106,7 @@ impl FacePatches {
         };
         progress.check()?;
         let frame = frame_of(mesh.triangles(), mesh.positions());
-        let partition = grow::partition(mesh, topology, &frame);
+        let partition = grow::partition(mesh, topology, &frame, progress)?;
         step()?;
         let order = order::tree_order(mesh, &partition, &frame);
         step()?;
