@@ -164,8 +164,8 @@ impl Drawing {
             }
             None => return Err(DrawError::Kind(kind)),
         };
+        gpu.check()?;
         let target = Target::new(gpu, style.size, formats)?;
-        gpu.finish_uploads()?;
         Ok(Self { target, style, kind, mesh: buffers, below: Vec::new(), source, above: Vec::new() })
     }
 

@@ -26,16 +26,6 @@ pub struct PassTime {
 }
 
 impl Gpu {
-    /// Has the device take over everything that was uploaded so far, and waits until it has: what is submitted next need not
-    /// wait for the copies.
-    ///
-    /// # Errors
-    /// Whatever the device reports about it, or that it is lost.
-    pub fn finish_uploads(&self) -> Result<(), GpuError> {
-        let submission = self.scoped(|| self.queue().submit([]))?;
-        self.wait(&submission)
-    }
-
     /// Records a pass over the colour and depth of `target`, submits it and waits until it is done.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Waiting for the device leaves it to other threads.
+//! Waiting for the device leaves it to other threads, and survives what they do meanwhile.
 
 use silhouette_render::{DEFAULT_FORMATS, Gpu, Load, Target};
 use silhouette_testing::{gpu_or_skip, skipped};
@@ -61,4 +61,31 @@ fn a_device_that_is_waited_for_can_be_used() {
         passes *= 4;
     }
     skipped(TEST, "the adapter clears faster than a wait can be seen");
+}
+
+/// A thread that waits on busy cores beside another one that submits and polls, as a window does: the device is not taken for lost
+/// because the other one found the queue empty.
+#[test]
+fn a_queue_that_another_thread_finds_empty_is_no_lost_device() {
+    let Some(gpu) = gpu_or_skip("a_queue_that_another_thread_finds_empty") else { return };
+    let target = Target::new(gpu, [1024, 1024], DEFAULT_FORMATS).unwrap();
+    let is_done = AtomicBool::new(false);
+    let goes_on = || !is_done.load(Ordering::Relaxed);
+    std::thread::scope(|scope| {
+        // They take the cores from a thread that is between two steps of a wait.
+        let cores = std::thread::available_parallelism().map_or(2, std::num::NonZero::get);
+        for _ in 0..2 * cores {
+            scope.spawn(|| while goes_on() {});
+        }
+        scope.spawn(|| {
+            while goes_on() {
+                gpu.queue().submit([]);
+                gpu.device().poll(wgpu::PollType::Poll).unwrap();
+            }
+        });
+        let drawn = (0..400).try_for_each(|_| gpu.draw(&target, Load::Clear([1.0; 4]), |_| {}).map(drop));
+        is_done.store(true, Ordering::Relaxed);
+        drawn.unwrap();
+    });
+    gpu.check().unwrap();
 }

@@ -1,11 +1,14 @@
 //! Scenes, silhouette textures and turned meshes on screen.
 
 use crate::stage::{choose, press, settle, window};
+use clap::Parser;
 use eframe::egui::{self, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use silhouette_compare::registry::Registry;
 use silhouette_compare::scene::Scene;
+use silhouette_testing::shared_gpu_or_skip;
+use silhouette_viewer::arguments::Arguments;
 use silhouette_viewer::viewer::Viewer;
 use silhouettes::execute;
 use std::path::{Path, PathBuf};
@@ -102,6 +105,32 @@ fn a_scene_brings_its_meshes_methods_pen_and_path() {
     drop_file(&mut window, &file);
     let error = Scene::load(&file).unwrap_err().to_string();
     assert!(says(&window, &error) && window.state().path().frames() == 7, "{:?}", window.state().messages());
+}
+
+/// A scene of the program's arguments is what a scene that is dropped is, and a method that is named beside it is shown instead.
+#[test]
+fn a_scene_named_at_the_start_brings_what_is_not_named_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    std::fs::write(&file, SCENE.replace(", \"part.obj\"", "")).unwrap();
+    let scene = file.to_str().unwrap();
+    for (more, methods) in
+        [(&[][..], &["image-precision", "tracking"][..]), (&["--method", "brute-force"], &["brute-force"])]
+    {
+        let words = [&["silhouettes-viewer", "--scene", scene], more].concat();
+        let Some(gpu) = shared_gpu_or_skip("a_scene_named_at_the_start") else { return };
+        let registry = Registry::builtin();
+        let start = Arguments::try_parse_from(words).unwrap().start(&registry).unwrap();
+        let builder = Harness::builder().wgpu_setup(silhouette_viewer::setup(gpu));
+        let mut window =
+            builder.build_eframe(|context| Viewer::new(context, Arc::clone(gpu), registry, start).unwrap());
+        settle(&mut window);
+        let shown: Vec<_> = window.state().panes().iter().map(|pane| pane.choice.name()).collect();
+        assert_eq!(shown[..methods.len()], *methods);
+        assert!(says(&window, "builtin:gear: is shown whole"), "{:?}", window.state().messages());
+        let (path, view) = (window.state().path(), window.state().view().unwrap());
+        assert_eq!((path.name.as_str(), path.frames(), path.is_on(view)), ("mine", 7, true));
+    }
 }
 
 #[test]

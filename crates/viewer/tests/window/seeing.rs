@@ -1,7 +1,7 @@
 //! Truth, loops, layers, paths and artefacts on screen.
 
 use crate::stage::{choose, look, picture_rect, press, settle, window, window_of};
-use eframe::egui::{Role, Theme, Vec2};
+use eframe::egui::{self, Role, Theme, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use image::RgbaImage;
@@ -12,7 +12,7 @@ use silhouette_viewer::viewer::Viewer;
 /// How many pixels of the picture of these methods are of a colour.
 fn count(window: &Harness<'_, Viewer>, screen: &RgbaImage, methods: &str, color: [u8; 4]) -> usize {
     let rect = picture_rect(window, methods);
-    let is_within = |x: u32, y: u32| rect.contains(eframe::egui::pos2(x as f32 + 0.5, y as f32 + 0.5));
+    let is_within = |x: u32, y: u32| rect.contains(egui::pos2(x as f32 + 0.5, y as f32 + 0.5));
     screen.enumerate_pixels().filter(|(x, y, pixel)| is_within(*x, *y) && pixel.0 == color).count()
 }
 
@@ -82,8 +82,22 @@ fn loops_have_colours_and_their_events_are_listed() {
     assert!(colors(&colored) > 300 && colors(&plain) == 0, "{} {}", colors(&colored), colors(&plain));
 }
 
+/// Presses the slider of the camera path at a share of its length.
+fn scrub(window: &mut Harness<'_, Viewer>, share: f32) {
+    window.get_by_role_and_label(Role::Slider, "frame").scroll_to_me();
+    window.run_steps(30);
+    let rail = window.get_by_role_and_label(Role::Slider, "frame").rect();
+    let place = rail.min + egui::vec2(1.0 + share * (rail.width() - 2.0), rail.height() / 2.0);
+    window.hover_at(place);
+    window.drag_at(place);
+    window.step();
+    window.drop_at(place);
+    window.step();
+    settle(window);
+}
+
 #[test]
-fn a_path_is_stepped_and_layers_are_drawn() {
+fn a_path_is_stepped_scrubbed_and_played_and_layers_are_drawn() {
     let Some(mut window) = window("a_path_is_stepped", "builtin:gear", &["brute-force"]) else { return };
     let gray = |window: &mut Harness<'_, Viewer>, name: &str| {
         let screen = look(window, name);
@@ -103,6 +117,14 @@ fn a_path_is_stepped_and_layers_are_drawn() {
     press(&mut window, Role::Button, "Step");
     assert_eq!(window.state().path().frame(), 1);
     assert!(window.state().view().unwrap().camera().eye() != eye);
+    press(&mut window, Role::Button, "Step back");
+    assert_eq!((window.state().path().frame(), window.state().path().is_playing()), (0, false));
+    scrub(&mut window, 0.5);
+    let (middle, last) = (window.state().path().frame(), window.state().path().frames() - 1);
+    assert!((last / 3..=2 * last / 3).contains(&middle), "{middle} of {last}");
+    assert!(window.state().path().is_on(window.state().view().unwrap()), "the view is that of the frame");
+    scrub(&mut window, 0.0);
+    assert_eq!(window.state().path().frame(), 0);
     press(&mut window, Role::Button, "Play");
     let begin = std::time::Instant::now();
     while window.state().path().frame() < 4 {
