@@ -3,6 +3,7 @@
 //! It needs `Xvfb`, and `xdotool` and `import` for the keys and the screenshot; where one is missing the test says so, and what to install.
 
 use silhouette_testing::{gpu_or_skip, skipped};
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -44,11 +45,13 @@ fn the_program_opens_a_mesh_on_a_display() {
     if gpu_or_skip(TEST).is_none() {
         return;
     }
-    let display = format!(":{}", 100 + std::process::id() % 800);
-    let screen = ["-screen", "0", "1100x760x24", "-wr", "-nolisten", "tcp"];
-    let server = Command::new("Xvfb").arg(&display).args(screen).stderr(Stdio::null()).spawn().unwrap();
-    let _server = Ends(server);
-    std::thread::sleep(Duration::from_secs(2));
+    // It takes a display that is free, and says which once programs can connect to it.
+    let screen = ["-displayfd", "1", "-screen", "0", "1100x760x24", "-wr", "-nolisten", "tcp"];
+    let server = Command::new("Xvfb").args(screen).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
+    let mut server = Ends(server.unwrap());
+    let mut number = String::new();
+    BufReader::new(server.0.stdout.take().unwrap()).read_line(&mut number).unwrap();
+    let display = format!(":{}", number.trim());
     let program = Command::new(env!("CARGO_BIN_EXE_silhouettes-viewer"))
         .args(["builtin:gear", "--method", "brute-force", "--size", "700x600"])
         .env("DISPLAY", &display)
