@@ -8,7 +8,7 @@ pub fn show(ui: &mut egui::Ui, specs: &'static [OptionSpec], values: &mut Option
     let mut chosen: Vec<OptionValue> =
         specs.iter().map(|spec| values.get(spec.name).unwrap_or(spec.default_value())).collect();
     for (spec, value) in specs.iter().zip(&mut chosen) {
-        one(ui, spec, value);
+        one(ui, spec, unit(spec, values), value);
     }
     // Sliders keep to the range; what the specs refuse all the same is not taken.
     if let Ok(checked) = OptionValues::checked(specs, chosen) {
@@ -19,8 +19,16 @@ pub fn show(ui: &mut egui::Ui, specs: &'static [OptionSpec], values: &mut Option
     }
 }
 
-fn one(ui: &mut egui::Ui, spec: &OptionSpec, value: &mut OptionValue) {
-    let suffix = if spec.unit.is_empty() { String::new() } else { format!(" {}", spec.unit) };
+/// The unit of an option, which may be the choice of another one: `in width-unit`.
+fn unit(spec: &OptionSpec, values: &OptionValues) -> &'static str {
+    match spec.unit.strip_prefix("in ").and_then(|name| values.get(name)) {
+        Some(OptionValue::Choice(word)) => word,
+        _ => spec.unit,
+    }
+}
+
+fn one(ui: &mut egui::Ui, spec: &OptionSpec, unit: &str, value: &mut OptionValue) {
+    let suffix = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let hover = format!("{} It is {}.", spec.summary, spec.expected());
     match (spec.kind, value) {
         (OptionKind::Number { min, max, .. }, OptionValue::Number(number)) => {
