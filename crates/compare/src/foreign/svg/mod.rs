@@ -2,11 +2,13 @@
 //!
 //! 1. `page`: where the document's own coordinates lie in the picture.
 //! 2. `style`: what is drawn and stroked, by attributes, `style` and style sheets.
-//! 3. `shape`: lines, polylines, polygons, paths, rectangles, circles and ellipses, under their transforms.
+//! 3. `arcs`: whether arcs are small enough to be followed.
+//! 4. `shape`: lines, polylines, polygons, paths, rectangles, circles and ellipses, under their transforms.
 //!
 //! Read are `svg`, `g`, `a`, `switch` and these shapes. Fills, text and pictures are no lines. `use` and nested `svg` are refused rather
 //! than skipped, since lines would be missing. So are entities: they grow without bound.
 
+mod arcs;
 mod page;
 mod shape;
 mod style;

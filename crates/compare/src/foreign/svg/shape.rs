@@ -1,5 +1,6 @@
-//! Step 3: shapes as lines.
+//! Step 4: shapes as lines.
 
+use super::arcs::{self, MAX_ARC_RADIUS};
 use super::page::in_user_units;
 use super::{at, finite};
 use crate::foreign::error::ForeignFault;
@@ -8,16 +9,10 @@ use glam::{DAffine2, DVec2};
 use roxmltree::Node;
 use std::f64::consts::{PI, TAU};
 use std::str::FromStr;
-use svgtypes::{
-    Length, NumberListParser, PathParser, PathSegment, SimplePathSegment, SimplifyingPathParser, Transform,
-};
+use svgtypes::{Length, NumberListParser, SimplePathSegment, SimplifyingPathParser, Transform};
 
 /// Most chords of a circle.
 const MAX_CHORDS: f64 = 4096.0;
-
-/// Largest radius of an arc in its own units. Arcs become cubics within a tenth of a unit, as many as the sixth root of the radius: some
-/// fifty of this one, and more than any memory holds of what a slip of the keyboard can write.
-const MAX_ARC_RADIUS: f64 = 1e9;
 
 /// The outline of a shape in its own coordinates.
 pub enum Shape<'a> {
@@ -75,11 +70,7 @@ impl Shape<'_> {
                 if radii.min_element() > 0.0 { polyline(&rim, true, tracer).map_err(too_many) } else { Ok(()) }
             }
             Self::Path(data) => {
-                let is_too_large = |segment: &PathSegment| match *segment {
-                    PathSegment::EllipticalArc { rx, ry, .. } => rx.abs().max(ry.abs()) > MAX_ARC_RADIUS,
-                    _ => false,
-                };
-                if PathParser::from(*data).map_while(Result::ok).any(|segment| is_too_large(&segment)) {
+                if !arcs::are_small(data) {
                     let message = format!("has an arc with a radius above {MAX_ARC_RADIUS:e}; write a line");
                     return Err(at(node, Some("d"), &message));
                 }
