@@ -9,9 +9,9 @@
 use silhouette_core::view::{Camera, Framing, ViewPreset};
 use silhouette_core::{Method, PreparedMesh, load, shapes};
 use silhouette_gpu::{
-    Color, Cull, FillPipelines, FillRenderer, FillStyle, FillsImage, FrameRenderer, MeshBuffers, Shade,
+    Color, Cull, FillPipelines, FillRenderer, FillStyle, FillsImage, FrameRenderer, FrameView, MeshBuffers, Shade,
 };
-use silhouette_render::{AdapterChoice, DEFAULT_FORMATS, Gpu, Load, Target, view_of_mesh};
+use silhouette_render::{AdapterChoice, DEFAULT_FORMATS, Gpu, Load, Target};
 use silhouette_texture::method::Textures;
 use silhouette_texture::{Texture, TextureOptions, siltex};
 use std::error::Error;
@@ -76,9 +76,16 @@ fn frame_ms(
     camera: &Camera,
     mesh: &MeshBuffers,
 ) -> Result<f64, Box<dyn Error>> {
+    let bounds = mesh.bounds().ok_or("the mesh has no faces")?;
+    // The hull reaches beyond the mesh. Where a plane cut it, the mesh itself would be drawn.
+    let range = renderer.clip_range(camera, camera.clip_range(&bounds));
+    let view = FrameView::from_camera(camera, range, DEFAULT_FORMATS.depth_direction)?;
     let start = Instant::now();
-    renderer.prepare(gpu.device(), gpu.queue(), &view_of_mesh(camera, mesh)?)?;
+    renderer.prepare(gpu.device(), gpu.queue(), &view)?;
     let prepare_ms = start.elapsed().as_secs_f64() * 1000.0;
+    if let Some(warning) = renderer.warning() {
+        return Err(warning.into());
+    }
     let ground = Load::Clear([1.0; 4]);
     let pass = gpu.draw_after(target, ground, |encoder| renderer.encode(encoder), |pass| renderer.draw(pass))?;
     Ok(prepare_ms + pass.wall_ms)
