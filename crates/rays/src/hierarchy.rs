@@ -33,8 +33,8 @@ pub fn build(boxes: &[Boxed]) -> Bvh2 {
     build_with_progress(boxes, &NoProgress).expect("nobody cancels")
 }
 
-/// Like [`build`], but stops between its steps when `progress` asks to. The longest step, which merges
-/// boxes, is one call of `obvhs`: 125 to 145 ms for a million boxes on two cores.
+/// Like [`build`], but stops between its steps when `progress` asks to. The longest step, which merges boxes, is one call of `obvhs`: 125
+/// to 145 ms for a million boxes on two cores.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.

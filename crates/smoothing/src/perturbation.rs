@@ -63,7 +63,7 @@ struct Near {
 
 const NONE: u32 = u32::MAX;
 
-/// Faces between two questions whether to go on: about 10 ms.
+/// Faces between two checks for cancellation: about 10 ms.
 const FACES_PER_CHECK: usize = 1 << 16;
 
 impl Perturber {

@@ -18,7 +18,7 @@ use silhouette_core::{EdgeId, HalfEdgeId};
 /// Normals whose planes make an angle with a sine below this have no line of intersection to speak of.
 const LEAST_SINE: f64 = 0.01;
 
-/// Edges that a task takes at least: about 0.3 ms of work.
+/// Fewest edges per task: about 0.3 ms of work.
 const EDGES_PER_TASK: usize = 4096;
 
 /// The side over each edge, from its lower to its higher vertex. No control point is farther from the edge than a third of its

@@ -23,7 +23,7 @@ pub const WHITE: [u8; 4] = [255; 4];
 /// How much farther than the nearest point q may lie. A ray at 75 degrees to a plane goes about 4 times as far as its foot.
 pub const MOST_DETOUR: f64 = 4.0;
 
-/// Faces that a task takes, which asks before whether to go on: about 3 ms of work.
+/// Faces per task, before each of which cancellation is checked: about 3 ms of work.
 const FACES_PER_TASK: usize = 4096;
 
 /// What of the object is drawn at points of the hull.

@@ -19,7 +19,7 @@ use std::f32::consts::PI;
 /// Sine below which two faces on opposite sides of a half-turn count as folded onto each other.
 const FOLD_SINE: f64 = 1e-6;
 
-/// Faces between two questions whether to go on: about 5 ms.
+/// Faces between two checks for cancellation: about 5 ms.
 const FACES_PER_CHECK: usize = 1 << 16;
 
 /// A concave edge.

@@ -59,9 +59,9 @@ impl Stretch {
         self.last.0.duration_since(self.begun)
     }
 
-    /// Frames per second.
+    /// Frames per second; 0 of a stretch without a frame, as what is prepared within one frame leaves.
     pub fn rate(&self) -> f64 {
-        self.frames.len() as f64 / self.lasted().as_secs_f64()
+        if self.frames.is_empty() { 0.0 } else { self.frames.len() as f64 / self.lasted().as_secs_f64() }
     }
 
     /// The longest frame.
@@ -244,6 +244,7 @@ mod tests {
         assert!((orbiting.rate() - 10.0).abs() < 1e-9 && orbiting.above(LONG) == 0);
         assert!((measurement.picture_rates()[0] - 25.0).abs() < 1e-9, "{:?}", measurement.picture_rates());
         let report = measurement.report(&[("brute-force", Some(12.34))]);
+        assert!(Stretch::new(begin).rate().abs() < 1e-9);
         assert!(report.contains("first picture: 0.02 s, 2 frames of the window"), "{report}");
         assert!(report.contains("1 above 100 ms; the longest 150.0 ms"), "{report}");
         assert!(

@@ -12,7 +12,7 @@ use silhouette_core::{Cancelled, NoProgress, Progress};
 /// A sum of normals below this share of its weights is cancellation.
 const LEAST_SHARE: f64 = 1e-5;
 
-/// Places that a task takes at least: about 0.2 ms of work.
+/// Fewest places per task: about 0.2 ms of work.
 const PLACES_PER_TASK: usize = 1024;
 
 /// The places where vertices of a mesh lie, the corners there, and a normal for each.

@@ -31,6 +31,11 @@ impl Frame {
     fn margin_px(&self) -> f64 {
         self.pen_width_px + 1.0
     }
+
+    /// The lower right corner of where the middle of a line may lie.
+    fn corner(&self) -> DVec2 {
+        DVec2::from(self.size.map(f64::from)) + self.margin_px()
+    }
 }
 
 /// A line in pixels, origin at the top left of the picture, centres of pixels at .5.
@@ -103,13 +108,16 @@ impl Tracer {
             }
             return Ok(());
         };
+        // Where a segment is so long that its end is rounded by pixels, so is the point at which it is cut.
+        let frame = self.frame;
+        let cut = |share| from.lerp(to, share).clamp(DVec2::splat(-frame.margin_px()), frame.corner());
         if begin > 0.0 {
             self.lift();
         }
         if self.drawn.is_empty() {
-            self.keep(if begin > 0.0 { from.lerp(to, begin) } else { from })?;
+            self.keep(if begin > 0.0 { cut(begin) } else { from })?;
         }
-        self.keep(if end < 1.0 { from.lerp(to, end) } else { to })?;
+        self.keep(if end < 1.0 { cut(end) } else { to })?;
         if end < 1.0 {
             self.lift();
         }
@@ -142,7 +150,7 @@ impl Tracer {
         let margin = self.frame.margin_px();
         let low = points.into_iter().fold(DVec2::INFINITY, DVec2::min);
         let high = points.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max);
-        low.cmple(DVec2::from(self.frame.size.map(f64::from)) + margin).all() && high.cmpge(DVec2::splat(-margin)).all()
+        low.cmple(self.frame.corner()).all() && high.cmpge(DVec2::splat(-margin)).all()
     }
 
     /// Goes straight back to where the line began, and ends it.
@@ -248,6 +256,25 @@ mod tests {
             tracer.line_to(point(-10.0, 40.0))
         });
         assert_eq!(outside, (vec![], 1));
+    }
+
+    #[test]
+    fn segments_that_are_rounded_by_pixels_are_cut_within_the_picture() {
+        let mut strayed = 0;
+        for step in 0..200 {
+            let far = DVec2::from_angle(0.1 + 0.03 * f64::from(step)) * 7.7e16;
+            for [from, to] in [[point(50.0, 25.0), far], [far, point(50.0, 25.0)], [far, -far]] {
+                let (lines, _) = traced(|tracer| {
+                    tracer.move_to(from);
+                    tracer.line_to(to)
+                });
+                let is_inside = |p: &DVec2| (-3.0..=103.0).contains(&p.x) && (-3.0..=53.0).contains(&p.y);
+                assert!(lines.iter().flat_map(|line| &line.points).all(is_inside), "{lines:?}");
+                let cuts = part_within([from, to], FRAME.size, FRAME.margin_px());
+                strayed += usize::from(cuts.is_some_and(|cuts| cuts.iter().any(|&t| !is_inside(&from.lerp(to, t)))));
+            }
+        }
+        assert!(strayed > 100, "{strayed}");
     }
 
     #[test]

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use silhouette_core::{Cancelled, Progress, TriangleMesh, Viewpoint};
 use wide::f32x8;
 
-/// Patches between two questions whether to go on: about 5 ms.
+/// Patches between two checks for cancellation: about 5 ms.
 const PATCHES_PER_CHECK: usize = 1024;
 
 /// Bounds of up to eight siblings.
