@@ -108,16 +108,13 @@ impl Tracer {
             }
             return Ok(());
         };
-        // Where a segment is so long that its end is rounded by pixels, so is the point at which it is cut.
-        let frame = self.frame;
-        let cut = |share| from.lerp(to, share).clamp(DVec2::splat(-frame.margin_px()), frame.corner());
         if begin > 0.0 {
             self.lift();
         }
         if self.drawn.is_empty() {
-            self.keep(if begin > 0.0 { cut(begin) } else { from })?;
+            self.keep(if begin > 0.0 { from.lerp(to, begin) } else { from })?;
         }
-        self.keep(if end < 1.0 { cut(end) } else { to })?;
+        self.keep(if end < 1.0 { from.lerp(to, end) } else { to })?;
         if end < 1.0 {
             self.lift();
         }
@@ -189,7 +186,8 @@ impl Tracer {
 
     fn keep(&mut self, point: DVec2) -> Result<(), TooMany> {
         self.kept += 1;
-        self.drawn.push(point);
+        // Where a segment is so long that its ends are rounded by pixels, so is the point at which it is cut.
+        self.drawn.push(point.clamp(DVec2::splat(-self.frame.margin_px()), self.frame.corner()));
         if self.kept > MAX_POINTS { Err(TooMany) } else { Ok(()) }
     }
 
@@ -263,7 +261,9 @@ mod tests {
         let mut strayed = 0;
         for step in 0..200 {
             let far = DVec2::from_angle(0.1 + 0.03 * f64::from(step)) * 7.7e16;
-            for [from, to] in [[point(50.0, 25.0), far], [far, point(50.0, 25.0)], [far, -far]] {
+            // One of the nearer ends lies within the picture, one above it.
+            let [within, above] = [point(50.0, 25.0), point(9.3, -6.5)];
+            for [from, to] in [[within, far], [far, within], [above, far], [far, above], [far, -far]] {
                 let (lines, _) = traced(|tracer| {
                     tracer.move_to(from);
                     tracer.line_to(to)
