@@ -1,5 +1,6 @@
 //! [`Hermite`]: the cubic of Eq. 5, with tangents as long as Eq. 4 has them.
 
+use crate::rounding::rounded;
 use silhouette_core::curves::{CurveKind, CurveSource, SmoothPiece};
 use silhouette_core::glam::DVec3;
 
@@ -70,7 +71,7 @@ impl Hermite {
 
     /// The same curve as a piece of a chain, rounded to 32 bits.
     pub fn piece(&self, kind: CurveKind, source: CurveSource) -> SmoothPiece {
-        SmoothPiece { control: self.control().map(DVec3::as_vec3), kind, source }
+        SmoothPiece { control: self.control().map(rounded), kind, source }
     }
 }
 

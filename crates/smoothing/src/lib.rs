@@ -58,6 +58,7 @@ pub mod options;
 pub mod perturbation;
 mod published;
 pub mod remeshing;
+mod rounding;
 pub mod sampling;
 pub mod shading_mesh;
 pub mod shading_normals;

@@ -18,6 +18,7 @@
 use crate::eye::Eye;
 use crate::feature_samples::FeatureSamples;
 use crate::feature_segments::FeatureSegments;
+use crate::rounding::rounded;
 use crate::shading_mesh::ShadingMesh;
 use crate::silhouette_segments::{SilhouetteSegment, SilhouetteSegments};
 use crate::view_mesh::{Origin, ViewMesh};
@@ -127,7 +128,7 @@ impl LocalRemeshing {
         }
         self.moved.clear();
         for &(vertex, to) in curves.moved {
-            out.positions[mesh.shading_vertices(vertex)].fill(to.as_vec3());
+            out.positions[mesh.shading_vertices(vertex)].fill(rounded(to));
             self.moved.push(vertex);
         }
     }

@@ -1,5 +1,6 @@
 //! [`ViewMesh`]: the triangles that are drawn for one view.
 
+use crate::rounding::rounded;
 use silhouette_core::glam::{DVec3, Vec3};
 use silhouette_core::{FaceId, MeshError, Method, TriangleMesh, weld};
 
@@ -67,7 +68,7 @@ impl ViewMesh {
     /// Appends a vertex; yields its index. The normal may be of any length.
     pub(crate) fn push_vertex(&mut self, position: DVec3, normal: DVec3, origin: Origin) -> u32 {
         let index = self.positions.len() as u32;
-        self.positions.push(position.as_vec3());
+        self.positions.push(rounded(position));
         self.normals.push(normal.normalize_or_zero().as_vec3());
         self.origins.push(origin);
         index
