@@ -45,8 +45,9 @@ fn the_program_opens_a_mesh_on_a_display() {
     if gpu_or_skip(TEST).is_none() {
         return;
     }
-    // It takes a display that is free, and says which once programs can connect to it.
-    let screen = ["-displayfd", "1", "-screen", "0", "1100x760x24", "-wr", "-nolisten", "tcp"];
+    // It takes a display that is free, says which once programs can connect to it, and stays when the first of them has left: a
+    // server that resets itself refuses the next one meanwhile.
+    let screen = ["-displayfd", "1", "-noreset", "-screen", "0", "1100x760x24", "-wr", "-nolisten", "tcp"];
     let server = Command::new("Xvfb").args(screen).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
     let mut server = Ends(server.unwrap());
     let mut number = String::new();
