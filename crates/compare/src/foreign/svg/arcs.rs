@@ -1,5 +1,5 @@
-//! How large the arcs of path data are, before they are followed: an arc becomes cubics within a tenth of a unit, as many as the sixth
-//! root of its radius, and digits that slip in make more of them than any memory holds.
+//! How large the arcs of path data are, before they are followed. An arc becomes cubics that keep within a tenth of a unit, and their
+//! number grows as the sixth root of its radius: a radius with too many digits would make more of them than fit in memory.
 
 use glam::DVec2;
 use svgtypes::{PathParser, PathSegment};
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_arc_is_as_large_as_its_radii_or_as_its_end_wants() {
+    fn radii_count_as_large_as_the_end_of_the_arc_makes_them() {
         for small in [
             "M0 0 A5 3 0 0 1 10 0",
             "M0 0 A1e9 1 0 0 1 10 0",
