@@ -1,5 +1,5 @@
-//! Long work polls its [`Progress`] and stops when asked to. The longest time between two polls is printed, and bounded so that a phase
-//! that never polls is found.
+//! Long work checks its [`Progress`] for cancellation, and stops. The longest time between two checks is printed, and bounded so that a
+//! phase without any is found.
 //!
 //! `SILHOUETTES_CANCEL_FACES=1000000 cargo test --release -p silhouette-tests cancelling -- --nocapture` measures it on a large mesh.
 
@@ -67,20 +67,20 @@ fn works<'a>(mesh: &'a TriangleMesh, topology: &'a Topology, file: &'a [u8]) -> 
 }
 
 #[test]
-fn long_work_asks_and_stops() {
+fn long_work_checks_and_stops() {
     let faces = std::env::var("SILHOUETTES_CANCEL_FACES").ok().and_then(|faces| faces.parse().ok()).unwrap_or(USUAL);
     let mesh = builtin(&format!("blob:{faces}"));
     let (topology, file) = (Topology::new(&mesh), obj(&mesh));
     for (name, work) in works(&mesh, &topology, &file) {
         let pace = Pace::begin();
         work(&pace).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let (longest, stage, polls) = pace.end();
-        writeln!(stderr(), "{name}: asks {polls} times, at most {longest:?} apart, in '{stage}'").unwrap();
+        let (longest, stage, checks) = pace.end();
+        writeln!(stderr(), "{name}: checks {checks} times, at most {longest:?} apart, in '{stage}'").unwrap();
         assert!(longest < MOST, "{name}: {longest:?} in '{stage}'");
-        // Methods that prepare nothing ask nothing. How often others ask may depend on what threads find done.
-        for poll in [0, polls / 2].into_iter().filter(|_| polls > 0) {
-            let stopped = work(&Cancelling::at_poll(poll));
-            assert!(stopped.is_err_and(|error| error.contains("cancelled")), "{name} goes on after question {poll}");
+        // Methods that prepare nothing check nothing. How often others check may depend on what threads find done.
+        for check in [0, checks / 2].into_iter().filter(|_| checks > 0) {
+            let stopped = work(&Cancelling::at_poll(check));
+            assert!(stopped.is_err_and(|error| error.contains("cancelled")), "{name} goes on after check {check}");
         }
     }
 }

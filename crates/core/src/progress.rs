@@ -3,8 +3,7 @@
 /// Receives how far a long piece of work has come, and decides whether it goes on.
 ///
 /// Called from any thread and often, in some stages once per ray or texel; implementations should be cheap. While a mesh of a million
-/// faces is prepared, calls of [`is_cancelled`](Self::is_cancelled) are at most about 80 ms apart on two cores, and 150 ms where
-/// `obvhs` builds a hierarchy of boxes in one call (`texture`); the time grows with the mesh.
+/// faces is prepared, calls of [`is_cancelled`](Self::is_cancelled) are at most about 80 ms apart on two cores; the time grows with the mesh.
 pub trait Progress: Sync {
     /// A new stage begins, of `total` steps (0 where the number is not known beforehand).
     fn stage(&self, name: &str, total: u64);

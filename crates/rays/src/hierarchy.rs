@@ -2,7 +2,7 @@
 //!
 //! `obvhs` merges each box with its nearest neighbour, round by round. Where n boxes are equal, as those of a face that is
 //! listed n times, each round merges a single pair: O(n²) work, and a hierarchy of depth n. The hierarchy is therefore built
-//! over distinct boxes, and equal boxes share a leaf.
+//! over distinct boxes, and equal boxes share a leaf. Many boxes are divided into parts first, so that it can be stopped.
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
@@ -10,6 +10,8 @@ use obvhs::ploc::PlocBuilder;
 use obvhs::{Boundable, BvhBuildParams};
 use silhouette_core::{Cancelled, NoProgress, Progress};
 use std::collections::HashMap;
+
+mod parts;
 
 /// A box as `obvhs` takes it.
 #[derive(Debug, Clone, Copy)]
@@ -33,8 +35,7 @@ pub fn build(boxes: &[Boxed]) -> Bvh2 {
     build_with_progress(boxes, &NoProgress).expect("nobody cancels")
 }
 
-/// Like [`build`], but stops between its steps when `progress` asks to. The longest step, which merges boxes, is one call of `obvhs`: 125
-/// to 145 ms for a million boxes on two cores.
+/// Like [`build`], but stops between its steps when `progress` asks to.
 ///
 /// # Errors
 /// [`Cancelled`] when `progress` says so.
@@ -58,7 +59,7 @@ fn build_of(boxes: &[Boxed], progress: &dyn Progress) -> Result<Bvh2, Cancelled>
     let largest = boxes.iter().map(|Boxed(Aabb { min, max })| min.abs().max(max.abs()).max_element());
     let largest = largest.fold(0.0, f32::max);
     if largest == 0.0 || (SMALLEST..=1.0 / SMALLEST).contains(&largest) {
-        return build_fast(boxes, progress);
+        return parts::build(boxes, parts::MOST, progress);
     }
     let exponent = f64::from(largest).log2().floor();
     let scaled = |by: f64, Aabb { min, max }: Aabb| {
@@ -66,7 +67,7 @@ fn build_of(boxes: &[Boxed], progress: &dyn Progress) -> Result<Bvh2, Cancelled>
         Aabb { min, max }
     };
     let unit: Vec<Boxed> = boxes.iter().map(|&Boxed(aabb)| Boxed(scaled((-exponent).exp2(), aabb))).collect();
-    let mut bvh = build_fast(&unit, progress)?;
+    let mut bvh = parts::build(&unit, parts::MOST, progress)?;
     for node in &mut bvh.nodes {
         node.set_aabb(scaled(exponent.exp2(), *node.aabb()));
     }

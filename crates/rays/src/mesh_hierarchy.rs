@@ -1,4 +1,4 @@
-//! [`MeshHierarchy`]: a hierarchy over the faces of a mesh, which `distance.rs` and `segment.rs` ask.
+//! [`MeshHierarchy`]: a hierarchy over the faces of a mesh, in which `distance.rs`, `segment.rs` and `triangle.rs` search.
 
 use crate::hierarchy::{Boxed, build_with_progress};
 use obvhs::aabb::Aabb;

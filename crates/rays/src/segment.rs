@@ -1,9 +1,9 @@
-//! Faces near a segment, or in a box.
+//! Faces near a segment.
 
 use crate::mesh_hierarchy::MeshHierarchy;
 use obvhs::aabb::Aabb;
 use silhouette_core::FaceId;
-use silhouette_core::glam::{DVec3, Vec3, Vec3A};
+use silhouette_core::glam::{DVec3, Vec3};
 
 /// Share of the largest coordinate by which boxes are grown: far above the rounding of the few 64-bit operations below, far
 /// below the spacing of 32-bit floats.
@@ -24,31 +24,6 @@ impl MeshHierarchy {
             if let Some(places) = Self::places(node) {
                 for place in places {
                     visit(self.faces[place], self.corners[place]);
-                }
-            } else {
-                waiting.extend([node.first_index, node.first_index + 1]);
-            }
-        }
-    }
-
-    /// Visits every face whose box meets another box, rims included, with its corners, until `visit` yields `true`. Exact.
-    /// Expected O(log F + faces visited).
-    pub fn in_box(&self, min: Vec3, max: Vec3, mut visit: impl FnMut(FaceId, [Vec3; 3]) -> bool) {
-        let (min, max) = (Vec3A::from(min), Vec3A::from(max));
-        let mut waiting = Vec::with_capacity(64);
-        waiting.extend((!self.bvh.nodes.is_empty()).then_some(0_u32));
-        while let Some(index) = waiting.pop() {
-            let node = &self.bvh.nodes[index as usize];
-            if !(node.aabb.min.cmple(max).all() && min.cmple(node.aabb.max).all()) {
-                continue;
-            }
-            if let Some(places) = Self::places(node) {
-                for place in places {
-                    let [a, b, c] = self.corners[place].map(Vec3A::from);
-                    let meets = a.min(b).min(c).cmple(max).all() && min.cmple(a.max(b).max(c)).all();
-                    if meets && visit(self.faces[place], self.corners[place]) {
-                        return;
-                    }
                 }
             } else {
                 waiting.extend([node.first_index, node.first_index + 1]);

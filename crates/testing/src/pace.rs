@@ -1,10 +1,10 @@
-//! [`Pace`]: how long work goes on without asking whether it should.
+//! [`Pace`]: how long work goes on without checking for cancellation.
 
 use silhouette_core::Progress;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Never cancels; notes the longest time between two questions, and after which stage it was.
+/// Never cancels; records the longest time between two checks, and in which stage it began.
 #[derive(Debug)]
 pub struct Pace(Mutex<State>);
 
@@ -14,30 +14,30 @@ struct State {
     stage: String,
     longest: Duration,
     longest_in: String,
-    polls: u64,
+    checks: u64,
 }
 
 impl Pace {
     /// Begins now.
     pub fn begin() -> Self {
         let (last, longest) = (Instant::now(), Duration::ZERO);
-        Self(Mutex::new(State { last, stage: "start".to_owned(), longest, longest_in: String::new(), polls: 0 }))
+        Self(Mutex::new(State { last, stage: "start".to_owned(), longest, longest_in: String::new(), checks: 0 }))
     }
 
-    /// Ends now: the longest time, the stage in which it began, and how often somebody asked.
+    /// Ends now: the longest time, the stage in which it began, and the number of checks.
     pub fn end(self) -> (Duration, String, u64) {
-        self.ask();
-        let State { longest, longest_in, polls, .. } = self.0.into_inner().unwrap();
-        (longest, longest_in, polls - 1)
+        self.check_now();
+        let State { longest, longest_in, checks, .. } = self.0.into_inner().unwrap();
+        (longest, longest_in, checks - 1)
     }
 
-    fn ask(&self) {
+    fn check_now(&self) {
         let mut state = self.0.lock().unwrap();
         let gap = state.last.elapsed();
         if gap > state.longest {
             (state.longest, state.longest_in) = (gap, state.stage.clone());
         }
-        state.polls += 1;
+        state.checks += 1;
         state.last = Instant::now();
     }
 }
@@ -50,7 +50,7 @@ impl Progress for Pace {
     fn advance(&self, _steps: u64) {}
 
     fn is_cancelled(&self) -> bool {
-        self.ask();
+        self.check_now();
         false
     }
 }
@@ -67,7 +67,7 @@ mod tests {
         std::thread::sleep(Duration::from_millis(30));
         pace.is_cancelled();
         pace.stage("quick", 1);
-        let (longest, stage, polls) = pace.end();
-        assert!(longest >= Duration::from_millis(30) && stage == "slow" && polls == 2, "{longest:?} {stage} {polls}");
+        let (longest, stage, checks) = pace.end();
+        assert!(longest >= Duration::from_millis(30) && stage == "slow" && checks == 2, "{longest:?} {stage} {checks}");
     }
 }

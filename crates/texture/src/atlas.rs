@@ -85,8 +85,9 @@ pub enum AtlasError {
     Gutter(u32),
     /// The faces do not fit.
     #[error(
-        "a hull of {faces} faces does not fit {} pages of {} x {} texels: its {blocks} blocks need at least {side} x {side} \
-         texels each; take {least_side} x {least_side} texels, or {least_pages} pages", .size.pages, .size.width, .size.height
+        "a hull of {faces} faces does not fit {} {} of {} x {} texels: its {blocks} blocks need at least {side} x {side} \
+         texels each; take {least_side} x {least_side} texels, or {least_pages} pages",
+        .size.pages, if .size.pages == 1 { "page" } else { "pages" }, .size.width, .size.height
     )]
     TooSmall {
         /// Faces of the hull.

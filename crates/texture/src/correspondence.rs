@@ -96,15 +96,14 @@ fn weights_at(corners: [Vec3; 3], point: DVec3) -> Vec3 {
 /// # Errors
 /// [`Cancelled`] when `progress` says so.
 fn corner_normals(mesh: &TriangleMesh, crease_deg: f64, progress: &dyn Progress) -> Result<Vec<[Vec3; 3]>, Cancelled> {
-    let faces = || (0..mesh.face_count()).map(FaceId::from_usize);
     let normal = |face| {
-        let [a, b, c] = mesh.corners(face).map(Vec3::as_dvec3);
+        let [a, b, c] = mesh.corners(FaceId::from_usize(face)).map(Vec3::as_dvec3);
         (b - a).cross(c - a).normalize_or_zero()
     };
-    let flat: Vec<DVec3> = faces().map(normal).collect();
+    let flat: Vec<DVec3> = (0..mesh.face_count()).into_par_iter().map(normal).collect();
     progress.check()?;
-    // Corners by vertex: those of vertex v are order[first[v]..first[v + 1]].
-    let mut first = vec![0_usize; mesh.vertex_count() + 1];
+    // Corners by vertex, three per face: those of vertex v are order[first[v]..first[v + 1]].
+    let mut first = vec![0_u32; mesh.vertex_count() + 1];
     for &vertex in mesh.triangles().iter().flatten() {
         first[vertex as usize + 1] += 1;
     }
@@ -112,27 +111,26 @@ fn corner_normals(mesh: &TriangleMesh, crease_deg: f64, progress: &dyn Progress)
         first[vertex + 1] += first[vertex];
     }
     let mut next = first.clone();
-    let mut order = vec![(FaceId::new(0), 0_usize); mesh.face_count() * 3];
-    for face in faces() {
-        for (slot, &vertex) in mesh.triangles()[face.index()].iter().enumerate() {
-            order[next[vertex as usize]] = (face, slot);
-            next[vertex as usize] += 1;
-        }
+    let mut order = vec![0_u32; mesh.face_count() * 3];
+    for (corner, &vertex) in (0..).zip(mesh.triangles().as_flattened()) {
+        order[next[vertex as usize] as usize] = corner;
+        next[vertex as usize] += 1;
     }
     progress.check()?;
     let least = crease_deg.to_radians().cos();
-    let corner = |face: FaceId, vertex: u32| {
-        let around = &order[first[vertex as usize]..first[vertex as usize + 1]];
-        let smooth =
-            around.iter().filter(|(other, _)| *other == face || flat[other.index()].dot(flat[face.index()]) > least);
-        let sum: DVec3 = smooth.map(|&(other, slot)| angle_at(mesh, other, slot) * flat[other.index()]).sum();
-        sum.normalize_or(flat[face.index()]).as_vec3()
+    let corner = |face: usize, vertex: u32| {
+        let around = &order[first[vertex as usize] as usize..first[vertex as usize + 1] as usize];
+        let corners = around.iter().map(|&corner| (corner as usize / 3, corner as usize % 3));
+        let smooth = corners.filter(|&(other, _)| other == face || flat[other].dot(flat[face]) > least);
+        let sum: DVec3 =
+            smooth.map(|(other, slot)| angle_at(mesh, FaceId::from_usize(other), slot) * flat[other]).sum();
+        sum.normalize_or(flat[face]).as_vec3()
     };
     let mut normals = vec![[Vec3::ZERO; 3]; mesh.face_count()];
     normals.par_chunks_mut(FACES_PER_TASK).enumerate().try_for_each(|(run, normals)| {
         progress.check()?;
         for (face, normals) in (run * FACES_PER_TASK..).zip(normals) {
-            *normals = mesh.triangles()[face].map(|vertex| corner(FaceId::from_usize(face), vertex));
+            *normals = mesh.triangles()[face].map(|vertex| corner(face, vertex));
         }
         Ok(())
     })?;

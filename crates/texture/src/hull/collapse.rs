@@ -34,8 +34,7 @@ pub(super) fn collapsed(
     while collapses.left > vertices
         && let Some(candidate) = collapses.heap.pop()
     {
-        progress.check()?;
-        collapses.attempt(candidate.0);
+        collapses.attempt(candidate.0)?;
     }
     Ok(collapses.finished())
 }
@@ -52,6 +51,7 @@ struct Candidate {
 
 struct Collapses<'a> {
     object: &'a MeshHierarchy,
+    progress: &'a dyn Progress,
     /// What quadrics are relative to.
     origin: DVec3,
     positions: Vec<Vec3>,
@@ -72,11 +72,12 @@ impl<'a> Collapses<'a> {
         hull: &TriangleMesh,
         object: &'a MeshHierarchy,
         vertices: usize,
-        progress: &dyn Progress,
+        progress: &'a dyn Progress,
     ) -> Result<Self, Cancelled> {
         let origin = hull.bounds().map_or(DVec3::ZERO, |bounds| bounds.center);
         let mut collapses = Self {
             object,
+            progress,
             origin,
             positions: hull.positions().to_vec(),
             quadrics: vec![Quadric::ZERO; hull.vertex_count()],
@@ -151,15 +152,18 @@ impl<'a> Collapses<'a> {
     }
 
     /// Collapses an edge, if it is still as it was and a place passes all checks.
-    fn attempt(&mut self, Candidate { edge, versions, .. }: Candidate) {
+    fn attempt(&mut self, Candidate { edge, versions, .. }: Candidate) -> Result<(), Cancelled> {
         if edge.map(|end| self.versions[end as usize]) != versions {
-            return;
+            return Ok(());
         }
-        let Some(ring) = self.ring(edge) else { return };
-        let place = self.places(edge).into_iter().map(|(_, place)| place).find(|&place| self.is_free(&ring, place));
-        if let Some(place) = place {
-            self.collapse(edge, &ring, place);
+        let Some(ring) = self.ring(edge) else { return Ok(()) };
+        for (_, place) in self.places(edge) {
+            if self.is_free(&ring, place)? {
+                self.collapse(edge, &ring, place);
+                break;
+            }
         }
+        Ok(())
     }
 
     /// What a collapse changes; `None` if it would change the topology.
@@ -183,7 +187,7 @@ impl<'a> Collapses<'a> {
     }
 
     /// Whether the faces of a ring touch nothing, with their vertex at a place.
-    fn is_free(&self, ring: &Ring, place: Vec3) -> bool {
+    fn is_free(&self, ring: &Ring, place: Vec3) -> Result<bool, Cancelled> {
         let corner = |vertex: u32| if vertex == ring.into { place } else { self.positions[vertex as usize] };
         let new: Vec<[Vec3; 3]> = ring.triangles.iter().map(|triangle| triangle.map(corner)).collect();
         let normal = |corners: [Vec3; 3]| {
@@ -194,7 +198,7 @@ impl<'a> Collapses<'a> {
             normal(self.corners(self.triangles[face as usize])).dot(normal(corners)) < TURN
         };
         if ring.changed.iter().zip(&new).any(turns) {
-            return false;
+            return Ok(false);
         }
         let near = self.near(ring, &new);
         let touches_hull = (0..new.len()).any(|index| {
@@ -206,7 +210,17 @@ impl<'a> Collapses<'a> {
             let among = (0..index).map(|earlier| (ring.triangles[earlier], new[earlier]));
             others.chain(among).any(|(other, of_other)| hull_faces_touch(triangle, corners, other, of_other))
         });
-        !touches_hull && !new.iter().any(|&corners| self.touches_object(corners))
+        if touches_hull {
+            return Ok(false);
+        }
+        for corners in new {
+            // A face of a coarse hull may be near many thousands of the object's.
+            self.progress.check()?;
+            if self.touches_object(corners) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Other faces of the hull in the box around those of a ring.
@@ -220,8 +234,7 @@ impl<'a> Collapses<'a> {
 
     fn touches_object(&self, corners: [Vec3; 3]) -> bool {
         let mut touches = false;
-        let [min, max] = box_of(corners);
-        self.object.in_box(min, max, |_, of_object| {
+        self.object.near_triangle(corners, |_, of_object| {
             touches = faces_touch(corners, of_object);
             touches
         });
