@@ -6,9 +6,11 @@ use silhouette_core::glam::DVec3;
 
 /// The curve between two points with unit normals, whose tangents are the chord less its part along each normal (Eqs. 2 and 3),
 /// as long as Eq. 4 says. Departure: where the normal runs along the chord, the tangent is the chord.
+#[inline]
 pub fn bridge(ends: [DVec3; 2], normals: [DVec3; 2]) -> Hermite {
     let chord = ends[1] - ends[0];
-    Hermite::along(ends, normals.map(|normal| chord - chord.dot(normal) * normal))
+    let along = |normal: DVec3| chord - chord.dot(normal) * normal;
+    Hermite::along(ends, [along(normals[0]), along(normals[1])])
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ pub struct BlockingPlane {
 }
 
 /// Whether a segment is concave: with F from its first point to its second, N1 . F > 0 and N2 . F < 0.
+#[inline]
 pub fn is_concave(ends: [&SilhouettePoint; 2]) -> bool {
     let chord = ends[1].position - ends[0].position;
     ends[0].normal.dot(chord) > 0.0 && ends[1].normal.dot(chord) < 0.0
@@ -26,11 +27,13 @@ pub fn is_concave(ends: [&SilhouettePoint; 2]) -> bool {
 
 /// The plane of a concave segment. Departure: in a perspective the interpolated normal is not perpendicular to the view, and the
 /// plane would not hold the eye; its part along the view is removed. `None` where nothing is left.
+#[inline]
 pub fn blocking_plane(segment: &SilhouetteSegment, ends: [&SilhouettePoint; 2], eye: Eye) -> Option<BlockingPlane> {
     let middle = segment.curve.point(0.5);
     let toward = eye.toward(middle).normalize_or_zero();
     let normal = ends[0].normal + ends[1].normal;
     let normal = (normal - normal.dot(toward) * toward).try_normalize()?;
-    let [a, b] = segment.curve.ends.map(|end| (end - middle).dot(normal));
+    let [a, b] = segment.curve.ends;
+    let (a, b) = ((a - middle).dot(normal), (b - middle).dot(normal));
     Some(BlockingPlane { middle, normal, height: 0.5 * (a + b) })
 }

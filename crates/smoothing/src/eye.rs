@@ -24,6 +24,7 @@ impl Eye {
 
     /// The vector from a point towards the viewer: the paper's D of section II; its D of Eq. 7 is the negative. Of unit length
     /// for a direction, not for an eye.
+    #[inline]
     pub fn toward(self, point: DVec3) -> DVec3 {
         self.0.truncate() - self.0.w * point
     }
@@ -88,21 +89,15 @@ impl SmoothingView {
     /// Where a point appears, in homogeneous pixels: x and y times w, and w.
     #[inline]
     pub fn homogeneous(&self, point: DVec3) -> DVec3 {
-        let [x, y, z, w] = self.columns();
-        point.x * x + point.y * y + point.z * z + w
+        let all = &self.to_pixel;
+        point.x * all.x_axis.xyw() + point.y * all.y_axis.xyw() + point.z * all.z_axis.xyw() + all.w_axis.xyw()
     }
 
     /// How far a way in object space leads in homogeneous pixels.
     #[inline]
     pub fn homogeneous_way(&self, way: DVec3) -> DVec3 {
-        let [x, y, z, _] = self.columns();
-        way.x * x + way.y * y + way.z * z
-    }
-
-    #[inline]
-    fn columns(&self) -> [DVec3; 4] {
         let all = &self.to_pixel;
-        [all.x_axis, all.y_axis, all.z_axis, all.w_axis].map(DVec4::xyw)
+        way.x * all.x_axis.xyw() + way.y * all.y_axis.xyw() + way.z * all.z_axis.xyw()
     }
 
     /// Whether a ball lies in front of the viewer and within the range of depths as a whole, so that no plane cuts it.

@@ -166,18 +166,21 @@ impl LocalRemeshing {
         out: &mut ViewMesh,
     ) {
         let triangle = segment.triangle;
-        let slots = [0, 1, 2].map(|i| ((triangle.lone + i) % 3) as usize);
+        let slots = [[0, 1, 2], [1, 2, 0], [2, 0, 1]][triangle.lone as usize];
         let corners = curves.mesh.triangles()[triangle.face.index()];
-        let [lone, next, previous] = slots.map(|slot| corners[slot]);
+        let [lone, next, previous] = [corners[slots[0]], corners[slots[1]], corners[slots[2]]];
         let sides = [slots[0], slots[2]].map(|slot| HalfEdgeId::of(triangle.face, slot as u32));
-        let parameters = segment.points.map(|point| curves.silhouette.points()[point as usize].u);
-        let weights = [0, 1].map(|i| side_weights(curves.mesh, sides[i], parameters[i]));
+        let weights = |end: usize| {
+            side_weights(curves.mesh, sides[end], curves.silhouette.points()[segment.points[end] as usize].u)
+        };
+        let weights = [weights(0), weights(1)];
         // Which of both parts is invisible, if triangles of it may be left out.
         let left_out = |of_lone: bool| curves.left_out_from.filter(|_| triangle.lone_is_visible != of_lone);
         let is_turned = curves.mesh.is_turned()[triangle.face.index()];
         let begin = out.triangles.len();
         if !curves.mesh.has_feature(triangle.face) {
-            let ends = [0, 1].map(|i| self.vertex_of_point(curves, sides[i], segment.points[i], out));
+            let mut end = |i: usize| self.vertex_of_point(curves, sides[i], segment.points[i], out);
+            let ends = [end(0), end(1)];
             self.sample_segment(curves, segment, count, ends, weights, out);
             fan_to_lone(lone, &self.chain, out);
             leave_out_behind(left_out(true), is_turned, begin, out);
@@ -239,7 +242,8 @@ impl LocalRemeshing {
                 1.0 => corners[half_edge.next_in_face().slot() as usize],
                 _ => {
                     let weights = side_weights(mesh, half_edge, point.u).to_array();
-                    out.push_vertex(point.position, point.normal, Origin { face: half_edge.face(), weights })
+                    let origin = Origin { face: half_edge.face(), weights };
+                    out.push_vertex_with_unit_normal(point.position, point.normal, origin)
                 }
             };
         }
@@ -306,13 +310,14 @@ impl LocalRemeshing {
         out: &mut ViewMesh,
     ) {
         let face = segment.triangle.face;
-        let [a, b] = segment.points.map(|point| &curves.silhouette.points()[point as usize]);
+        let normal = |end: usize| curves.silhouette.points()[segment.points[end] as usize].normal;
+        let (from, to) = (normal(0), normal(1));
         self.chain.clear();
         self.chain.push(ends[0]);
         for i in 1..count {
             let t = f64::from(i) / f64::from(count);
             let origin = Origin { face, weights: weights[0].lerp(weights[1], t as f32).to_array() };
-            self.chain.push(out.push_vertex(segment.curve.point(t), a.normal.lerp(b.normal, t), origin));
+            self.chain.push(out.push_vertex(segment.curve.point(t), from.lerp(to, t), origin));
         }
         self.chain.push(ends[1]);
     }
@@ -334,7 +339,8 @@ fn leave_out_behind(eye: Option<Eye>, is_turned: bool, begin: usize, out: &mut V
     let mut kept = begin;
     for at in begin..out.triangles.len() {
         let triangle = out.triangles[at];
-        let [a, b, c] = triangle.map(|vertex| out.positions[vertex as usize].as_dvec3());
+        let position = |corner: usize| out.positions[triangle[corner] as usize].as_dvec3();
+        let (a, b, c) = (position(0), position(1), position(2));
         let facing = (b - a).cross(c - a).dot(eye.toward(a));
         let stays = if is_turned { facing <= 0.0 } else { facing >= 0.0 };
         // About half of them stay, in no pattern: a branch would be mispredicted.
@@ -375,14 +381,16 @@ fn push_middle(face: FaceId, vertices: &[(u32, Vec3)], out: &mut ViewMesh) -> u3
 }
 
 /// Whether a half-edge runs from the lower vertex of its edge to the higher, as parameters of points on it do.
+#[inline]
 fn runs_forward(mesh: &ShadingMesh, half_edge: HalfEdgeId) -> bool {
     let corners = mesh.mesh().triangles()[half_edge.face().index()];
     corners[half_edge.slot() as usize] <= corners[half_edge.next_in_face().slot() as usize]
 }
 
 /// Barycentric coordinates, in the face of a half-edge, of the point on it with a parameter from the lower vertex to the higher.
+#[inline]
 fn side_weights(mesh: &ShadingMesh, half_edge: HalfEdgeId, u: f64) -> Vec3 {
     let share = if runs_forward(mesh, half_edge) { u } else { 1.0 - u } as f32;
-    let [from, to] = [half_edge.slot(), half_edge.next_in_face().slot()].map(|slot| Vec3::AXES[slot as usize]);
-    from * (1.0 - share) + to * share
+    let axis = |half_edge: HalfEdgeId| Vec3::AXES[half_edge.slot() as usize];
+    axis(half_edge) * (1.0 - share) + axis(half_edge.next_in_face()) * share
 }

@@ -3,6 +3,7 @@
 use silhouette_core::glam::{DVec3, Vec3};
 
 /// A point rounded to 32 bits. What bulges beyond the largest 32-bit number, as curves between the largest coordinates do, ends there.
+#[inline]
 pub(crate) fn rounded(point: DVec3) -> Vec3 {
     point.clamp(Vec3::MIN.as_dvec3(), Vec3::MAX.as_dvec3()).as_vec3()
 }

@@ -32,18 +32,26 @@ silhouette_core::option_choice! {
 
 /// Number of segments, 1 to [`MAX_SEGMENTS`], that a curve is drawn as in a view, with a tolerance in pixels above 0. `normals`
 /// are the unit normals at its ends, which the printed law reads.
+#[inline]
 pub fn segments(curve: &Hermite, normals: [DVec3; 2], view: &SmoothingView, tolerance_px: f64, law: Sampling) -> u32 {
     let count = match law {
         Sampling::Guaranteed => guaranteed(curve, view, tolerance_px),
         Sampling::AsPrinted => as_printed(curve, normals, view, tolerance_px),
     };
     // A curve through the plane of the eye has no bound.
-    if count.is_nan() { MAX_SEGMENTS } else { (count.ceil().max(1.0) as u32).min(MAX_SEGMENTS) }
+    if count.is_nan() {
+        return MAX_SEGMENTS;
+    }
+    // Rounded up, which costs a call on processors that cannot be expected to have an instruction for it.
+    let whole = count as u32;
+    (whole.saturating_add(u32::from(f64::from(whole) < count))).clamp(1, MAX_SEGMENTS)
 }
 
+#[inline]
 fn guaranteed(curve: &Hermite, view: &SmoothingView, tolerance_px: f64) -> f64 {
-    let ends = curve.ends.map(|end| view.homogeneous(end));
-    let [leaving, arriving] = curve.tangents.map(|tangent| view.homogeneous_way(tangent / 3.0));
+    let ends = [view.homogeneous(curve.ends[0]), view.homogeneous(curve.ends[1])];
+    let third = |tangent: DVec3| view.homogeneous_way(tangent * (1.0 / 3.0));
+    let (leaving, arriving) = (third(curve.tangents[0]), third(curve.tangents[1]));
     let (b, c) = (ends[0] + leaving, ends[1] - arriving);
     // The third part is w.
     let nearest = ends[0].z.min(b.z).min(c.z).min(ends[1].z);

@@ -80,7 +80,7 @@ pub fn silhouette_point(
     eye: Eye,
     newton_steps: u32,
 ) -> SilhouettePoint {
-    let toward = positions.map(|position| eye.toward(position));
+    let toward = [eye.toward(positions[0]), eye.toward(positions[1])];
     let signs = [toward[0].dot(normals[0]), toward[1].dot(normals[1])];
     let mut u = if eye.position().is_none() {
         linear_root(signs)
@@ -102,6 +102,7 @@ pub fn silhouette_point(
 }
 
 /// The root of a function that is linear between two values of opposite signs.
+#[inline]
 fn linear_root([from, to]: [f64; 2]) -> f64 {
     let u = from / (from - to);
     if u.is_nan() { 0.5 } else { u.clamp(0.0, 1.0) }
@@ -110,6 +111,7 @@ fn linear_root([from, to]: [f64; 2]) -> f64 {
 /// The root in [0, 1] of (1 - u)² a + u (1 - u) b + u² c, where a and c have opposite signs and an `a` of 0 counts as positive.
 ///
 /// With s = u / (1 - u) this is c s² + b s + a = 0, whose roots have opposite signs.
+#[inline]
 fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
     let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
     let q = -0.5 * (b + root.copysign(b));

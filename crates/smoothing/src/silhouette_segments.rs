@@ -32,28 +32,31 @@ silhouette_core::option_choice! {
 }
 
 /// The curve between two silhouette points of a view.
+#[inline]
 pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> Hermite {
-    let positions = ends.map(|end| end.position);
-    let in_space = || bridge(positions, ends.map(|end| end.normal));
+    let positions = [ends[0].position, ends[1].position];
+    let in_space = || bridge(positions, [ends[0].normal, ends[1].normal]);
     if law == SegmentLaw::AsPrinted {
         return in_space();
     }
     let chord = positions[1] - positions[0];
-    let views = positions.map(|position| eye.toward(position));
+    let views = [eye.toward(positions[0]), eye.toward(positions[1])];
     // For an eye, the sum of the unit vectors towards it, times both their lengths.
     let along =
         if eye.position().is_some() { views[0] * views[1].length() + views[1] * views[0].length() } else { views[0] };
     // An eye on one of the points sees no depth.
     let depth = chord.dot(along) / along.length_squared().max(f64::MIN_POSITIVE) * along;
     let across = chord - depth;
-    let directions = [0, 1].map(|i| {
-        let direction = ends[i].normal.cross(views[i]);
+    let direction = |end: usize| {
+        let direction = ends[end].normal.cross(views[end]);
         if direction.dot(across) < 0.0 { -direction } else { direction }
-    });
+    };
+    let directions = [direction(0), direction(1)];
     let flat = Hermite::along([DVec3::ZERO, across], directions);
-    let tangents = flat.tangents.map(|tangent| tangent + depth);
+    let tangents = [flat.tangents[0] + depth, flat.tangents[1] + depth];
     // Squared cosines over the squares of both lengths: most are of small angles, and need no division.
-    let squares = directions.map(|direction| [direction.dot(across).powi(2), direction.length_squared()]);
+    let squared = |direction: DVec3| [direction.dot(across).powi(2), direction.length_squared()];
+    let squares = [squared(directions[0]), squared(directions[1])];
     let most = ALL_IN_IMAGE * across.length_squared();
     if squares.iter().all(|[dot, length]| *dot >= most * length) {
         return Hermite { ends: positions, tangents };
@@ -63,7 +66,8 @@ pub fn segment_curve(ends: [&SilhouettePoint; 2], eye: Eye, law: SegmentLaw) -> 
     let least = if squares.iter().any(|square| square.is_nan()) { f64::NAN } else { squares[0].min(squares[1]) };
     let share = share_in_image((least / across.length_squared()).sqrt());
     let in_space = in_space();
-    Hermite { ends: positions, tangents: [0, 1].map(|i| in_space.tangents[i].lerp(tangents[i], share)) }
+    let between = |end: usize| in_space.tangents[end].lerp(tangents[end], share);
+    Hermite { ends: positions, tangents: [between(0), between(1)] }
 }
 
 /// The squared cosine of 30 degrees, from which on the interpolation in the image counts for all.
@@ -113,13 +117,13 @@ impl SilhouetteSegments {
         self.segments.clear();
         self.of_half_edge.resize(mesh.topology().half_edge_count(), 0);
         for &triangle in triangles {
-            let sides = [triangle.lone, (triangle.lone + 2) % 3];
-            let points = sides.map(|slot| {
+            let mut on_side = |slot: u32| {
                 let half_edge = HalfEdgeId::of(triangle.face, slot);
                 self.point_on(mesh, features, half_edge, eye, newton_steps)
-            });
-            let [a, b] = points.map(|point| &self.points[point as usize]);
-            let curve = segment_curve([a, b], eye, law);
+            };
+            let points = [on_side(triangle.lone), on_side((triangle.lone + 2) % 3)];
+            let ends = [&self.points[points[0] as usize], &self.points[points[1] as usize]];
+            let curve = segment_curve(ends, eye, law);
             self.segments.push(SilhouetteSegment { triangle, points, curve });
         }
     }
@@ -148,8 +152,9 @@ impl SilhouetteSegments {
         if mesh.vertices()[from as usize] > mesh.vertices()[to as usize] {
             (from, to) = (to, from);
         }
-        let positions = [from, to].map(|vertex| mesh.positions()[vertex as usize].as_dvec3());
-        let normals = [from, to].map(|vertex| mesh.normals()[vertex as usize].as_dvec3());
+        let position = |vertex: u32| mesh.positions()[vertex as usize].as_dvec3();
+        let normal = |vertex: u32| mesh.normals()[vertex as usize].as_dvec3();
+        let (positions, normals) = ([position(from), position(to)], [normal(from), normal(to)]);
         let found = match feature {
             Some(index) => {
                 let segment = &features.segments()[index];

@@ -66,15 +66,23 @@ impl ViewMesh {
     }
 
     /// Appends a vertex; yields its index. The normal may be of any length.
+    #[inline]
     pub(crate) fn push_vertex(&mut self, position: DVec3, normal: DVec3, origin: Origin) -> u32 {
+        self.push_vertex_with_unit_normal(position, normal.normalize_or_zero(), origin)
+    }
+
+    /// As [`push_vertex`](Self::push_vertex), with a normal of unit length or none.
+    #[inline]
+    pub(crate) fn push_vertex_with_unit_normal(&mut self, position: DVec3, normal: DVec3, origin: Origin) -> u32 {
         let index = self.positions.len() as u32;
         self.positions.push(rounded(position));
-        self.normals.push(normal.normalize_or_zero().as_vec3());
+        self.normals.push(normal.as_vec3());
         self.origins.push(origin);
         index
     }
 
     /// Appends a triangle, unless two of its corners are the same vertex.
+    #[inline]
     pub(crate) fn push_triangle(&mut self, corners: [u32; 3]) {
         let [a, b, c] = corners;
         if a != b && b != c && c != a {
