@@ -32,6 +32,7 @@ fn named(meshes: &[Py<Mesh>]) -> Vec<NamedMesh> {
 ///
 /// Returns a list of dicts, which `pandas.DataFrame` takes as they are. Columns are those of the report's CSV files: times in
 /// milliseconds, lengths in pixels, options as METHOD.OPTION.
+/// Warns of each method that does not take a mesh: there is no record of it.
 /// Needs a device to draw on. Takes about a minute for each mesh with all methods.
 #[pyfunction]
 #[pyo3(signature = (meshes, *, views = false, progress = None, **options))]

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import silhouettes
 
@@ -40,3 +41,20 @@ def test_a_comparison_is_a_record_for_each_cell(tmp_path: Path) -> None:
         silhouettes.compare([meshes[0], meshes[0]], **options)
     with pytest.raises(silhouettes.Error, match="brute-farce"):
         silhouettes.compare(meshes, methods="brute-farce")
+    with pytest.warns(UserWarning, match="tracking is left out"):
+        cells = silhouettes.compare([moebius_strip()], **options)
+    assert [cell["method"] for cell in cells] == ["brute-force"]
+
+
+def moebius_strip(parts: int = 12) -> silhouettes.Mesh:
+    """A surface with one side, on which loops have no direction."""
+    turn = 2 * np.pi * np.arange(parts) / parts
+    sides = np.array([-0.3, 0.3])[:, None]
+    radius = 1 + sides * np.cos(turn / 2)
+    vertices = np.stack([radius * np.cos(turn), radius * np.sin(turn), sides * np.sin(turn / 2)], axis=-1)
+    faces = []
+    for part in range(parts):
+        a, b = part, part + parts
+        c, d = (a + 1, b + 1) if part + 1 < parts else (parts, 0)
+        faces += [(a, b, c), (c, b, d)]
+    return silhouettes.Mesh(vertices.reshape(-1, 3).astype(np.float32), np.array(faces, dtype=np.uint32))

@@ -75,12 +75,15 @@ pub fn run(arguments: &CompareArguments, registry: &Registry) -> Result<(), Fail
         Ok(comparison) => comparison,
         Err(failure) => return Err(after_failure(failure, store)),
     };
-    for cell in &comparison.left_out {
-        failure::note(cell);
-    }
+    note_left_out(&comparison);
     comparison.peers = peers;
     report::write(&comparison, &arguments.output).map_err(Failure::run)?;
     store.remove().map_err(Failure::run)
+}
+
+/// Notes which methods refused which mesh: no cell holds anything of them.
+fn note_left_out(comparison: &Comparison) {
+    comparison.left_out.iter().for_each(failure::note);
 }
 
 /// What the arguments have measured, on meshes of the caller's or, where there are none, on those of the scene; nothing is written.
@@ -101,7 +104,9 @@ pub fn comparison(
         let drawn = |(mesh, spec): (&NamedMesh, &MeshSpec)| subject(mesh.clone(), spec, Winding::AsItIs, progress);
         meshes.iter().zip(&config.scene().meshes).map(drawn).collect::<Result<_, _>>()?
     };
-    silhouette_compare::run(&config, &subjects, gpu, progress).map_err(Failure::of_comparison)
+    let comparison = silhouette_compare::run(&config, &subjects, gpu, progress).map_err(Failure::of_comparison)?;
+    note_left_out(&comparison);
+    Ok(comparison)
 }
 
 /// Whether some method is there with several settings.

@@ -71,6 +71,9 @@ const LEAST_NORMAL: f64 = 1e-6;
 /// A residual angle, in radians, below the rounding of positions to 32 bits: Newton's method has nothing left to improve.
 const CONVERGED: f64 = 1e-8;
 
+/// A step after which no other is needed: it leaves about half its square, which is below [`CONVERGED`].
+const SHORT_STEP: f64 = 1e-4;
+
 /// The silhouette point of a bridge, given the vertices below its ends with their unit normals, of which exactly one is visible,
 /// and the number of Newton steps. O(1).
 pub fn silhouette_point(
@@ -144,7 +147,11 @@ fn refined(mut u: f64, begins_visible: bool, normals: [DVec3; 2], bridge: &impl 
         // The eye stands still, the point moves.
         let slope = toward.dot(turn) - bridge.derivative(u).dot(normal);
         let next = u - value / slope;
+        let from = u;
         u = if next > low && next < high { next } else { 0.5 * (low + high) };
+        if (u - from).abs() <= SHORT_STEP {
+            break;
+        }
     }
     u
 }

@@ -69,7 +69,7 @@ impl Method for Smoothing {
             origin: "Wang et al. 2008, corrected",
             yields: "smooth curves; a filled image, re-meshed where the silhouette runs",
             accuracy: "no: a sphere of 80 faces is off by 0.0004 radii, with about 150 triangles",
-            cost: "O(V + F) to classify vertices and copy faces, O(S) for curves; one thread, 180 to 460 ns per \
+            cost: "O(V + F) to classify vertices and copy faces, O(S) for curves; one thread, 170 to 450 ns per \
                    silhouette triangle",
             memory: "150 to 220 bytes per face",
             choose_when: "a coarse mesh should have a smooth outline, for one view at a time",
