@@ -1,6 +1,7 @@
 //! What a frame allocates, what instances share, what an edge takes.
 
 use crate::scene::{self, PATHS, any_view, framed, method};
+use allocation_counter::AllocationInfo;
 use silhouette_core::glam::DMat4;
 use silhouette_core::view::Viewpoint;
 use silhouette_core::{ExtractsEdges, Method, SilhouetteEdges};
@@ -27,7 +28,8 @@ fn a_steady_extraction_allocates_nothing() {
     assert_eq!(fresh.count_total, 1, "the counter counts");
 }
 
-/// What wgpu allocates for an upload does not depend on the mesh; nothing of ours is allocated beside it.
+/// What wgpu allocates for an upload does not depend on the mesh; nothing of ours is allocated beside it. The fewest of some frames count:
+/// now and then wgpu has more to clear away.
 #[test]
 fn a_steady_frame_allocates_as_much_for_a_large_mesh_as_for_a_small_one() {
     let Some(gpu) = gpu_or_skip("a_steady_frame_allocates_as_much_for_a_large_mesh_as_for_a_small_one") else { return };
@@ -44,8 +46,9 @@ fn a_steady_frame_allocates_as_much_for_a_large_mesh_as_for_a_small_one() {
                 with_threads(1, || {
                     (1..4).for_each(|step| frame(0.1 * f64::from(step)));
                     gpu.queue().submit([]);
-                    let info = allocation_counter::measure(|| frame(0.5));
-                    (info.count_total, info.bytes_total)
+                    let infos = [0.5, 0.6, 0.7, 0.8].map(|turn| allocation_counter::measure(|| frame(turn)));
+                    let least = |of: fn(&AllocationInfo) -> u64| infos.iter().map(of).min().unwrap();
+                    (least(|info| info.count_total), least(|info| info.bytes_total))
                 })
             };
             let [small, large] = [steady("blob:600"), steady("blob:60000")];

@@ -2,6 +2,7 @@
 
 use silhouette_core::glam::Vec3;
 use silhouette_core::{FaceId, NoProgress, TriangleMesh};
+use silhouette_testing::pace::Pace;
 use silhouette_testing::progress::Cancelling;
 use silhouette_testing::random::Random;
 use silhouette_testing::threads::with_threads;
@@ -64,19 +65,21 @@ fn any_number_of_threads_bakes_the_same() {
     }
 }
 
-/// Cancelled at random steps again and again, with other numbers of threads, and the file cut at a random byte in between.
+/// Cancelled at random checks again and again, with other numbers of threads, and the file cut at a random byte in between.
 #[test]
 fn an_interrupted_bake_ends_with_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let mut random = Random::new(11);
     for (format, centers) in [(AngleFormat::Unorm8, CenterRule::Vertex), (AngleFormat::Float16, CenterRule::Texel)] {
         let scene = scene(format, centers);
-        let (whole, report) = scene.run(None);
+        let pace = Pace::begin();
+        let (whole, report) = scene.bake().run(&pace, None).unwrap();
+        let (_, _, checks) = pace.end();
         for round in 0..2 {
             let path = folder.path().join(format!("{format:?}-{round}"));
             let mut interruptions = 0;
             let (resumed, resumed_report) = loop {
-                let progress = Cancelling::at_poll(1 + random.below(30) as u64);
+                let progress = Cancelling::at_poll(random.below(checks as usize) as u64);
                 match with_threads(1 + random.below(4), || scene.bake().run(&progress, Some(&path))) {
                     Ok(done) => break done,
                     Err(BakeError::Cancelled(_)) => interruptions += 1,
