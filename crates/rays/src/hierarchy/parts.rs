@@ -83,6 +83,7 @@ mod tests {
     use proptest::prelude::*;
     use silhouette_core::NoProgress;
     use silhouette_core::glam::Vec3A;
+    use silhouette_testing::with_threads;
     use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
     fn boxes(places: &[[f32; 3]]) -> Vec<Boxed> {
@@ -109,6 +110,19 @@ mod tests {
         let boxes = vec![Boxed(Aabb::new(Vec3A::ONE, Vec3A::ONE)); 37];
         let bvh = build(&boxes, 5, &NoProgress).unwrap();
         assert_eq!(bvh.validate(&boxes, false, true).prim_count, 37);
+    }
+
+    #[test]
+    fn any_number_of_threads_builds_the_same() {
+        let places: Vec<[f32; 3]> =
+            (0..900).map(|index| [(index % 31) as f32, (index % 7) as f32, index as f32]).collect();
+        let boxes = boxes(&places);
+        let [one, three] = [1, 3].map(|threads| with_threads(threads, || build(&boxes, 64, &NoProgress).unwrap()));
+        assert_eq!(one.primitive_indices, three.primitive_indices);
+        let nodes = |bvh: &Bvh2| -> Vec<_> {
+            bvh.nodes.iter().map(|node| (node.aabb().min, node.aabb().max, node.prim_count, node.first_index)).collect()
+        };
+        assert_eq!(nodes(&one), nodes(&three));
     }
 
     /// It checks before each of 3 halvings and four times in each of 8 parts, and stops at the first refusal.
