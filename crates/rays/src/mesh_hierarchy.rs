@@ -40,6 +40,26 @@ impl MeshHierarchy {
         Ok(Self { bvh, faces, corners })
     }
 
+    /// Visits the places of the faces in leaves whose boxes, and those of all nodes above them, may meet something, until `visit` yields
+    /// `true`.
+    pub(crate) fn walk(&self, may_meet: impl Fn(&Aabb) -> bool, mut visit: impl FnMut(usize) -> bool) {
+        let mut waiting = Vec::with_capacity(64);
+        waiting.extend((!self.bvh.nodes.is_empty()).then_some(0_u32));
+        while let Some(index) = waiting.pop() {
+            let node = &self.bvh.nodes[index as usize];
+            if !may_meet(&node.aabb) {
+                continue;
+            }
+            if let Some(mut places) = Self::places(node) {
+                if places.any(&mut visit) {
+                    return;
+                }
+            } else {
+                waiting.extend([node.first_index, node.first_index + 1]);
+            }
+        }
+    }
+
     /// Where a leaf's faces lie; `None` for an inner node, whose children are `first_index` and the next.
     pub(crate) fn places(node: &Bvh2Node) -> Option<Range<usize>> {
         (node.prim_count > 0).then(|| node.first_index as usize..(node.first_index + node.prim_count) as usize)

@@ -14,21 +14,13 @@ impl MeshHierarchy {
     /// O(log F + faces visited).
     pub fn near_segment(&self, ends: [Vec3; 2], mut visit: impl FnMut(FaceId, [Vec3; 3])) {
         let segment = Segment::new(ends);
-        let mut waiting = Vec::with_capacity(64);
-        waiting.extend((!self.bvh.nodes.is_empty()).then_some(0_u32));
-        while let Some(index) = waiting.pop() {
-            let node = &self.bvh.nodes[index as usize];
-            if !segment.may_meet(&node.aabb) {
-                continue;
-            }
-            if let Some(places) = Self::places(node) {
-                for place in places {
-                    visit(self.faces[place], self.corners[place]);
-                }
-            } else {
-                waiting.extend([node.first_index, node.first_index + 1]);
-            }
-        }
+        self.walk(
+            |aabb| segment.may_meet(aabb),
+            |place| {
+                visit(self.faces[place], self.corners[place]);
+                false
+            },
+        );
     }
 }
 

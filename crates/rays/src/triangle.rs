@@ -14,25 +14,13 @@ impl MeshHierarchy {
     /// `visit` yields `true`. Of a large triangle these are the faces near its plane. Expected O(log F + faces visited).
     pub fn near_triangle(&self, corners: [Vec3; 3], mut visit: impl FnMut(FaceId, [Vec3; 3]) -> bool) {
         let triangle = Triangle::new(corners);
-        let mut waiting = Vec::with_capacity(64);
-        waiting.extend((!self.bvh.nodes.is_empty()).then_some(0_u32));
-        while let Some(index) = waiting.pop() {
-            let node = &self.bvh.nodes[index as usize];
-            if !triangle.meets_box(node.aabb.min, node.aabb.max) || !triangle.may_meet_in_plane(&node.aabb) {
-                continue;
-            }
-            if let Some(places) = Self::places(node) {
-                for place in places {
-                    let [a, b, c] = self.corners[place].map(Vec3A::from);
-                    let meets = triangle.meets_box(a.min(b).min(c), a.max(b).max(c));
-                    if meets && visit(self.faces[place], self.corners[place]) {
-                        return;
-                    }
-                }
-            } else {
-                waiting.extend([node.first_index, node.first_index + 1]);
-            }
-        }
+        self.walk(
+            |aabb| triangle.meets_box(aabb.min, aabb.max) && triangle.may_meet_in_plane(aabb),
+            |place| {
+                let [a, b, c] = self.corners[place].map(Vec3A::from);
+                triangle.meets_box(a.min(b).min(c), a.max(b).max(c)) && visit(self.faces[place], self.corners[place])
+            },
+        );
     }
 }
 
