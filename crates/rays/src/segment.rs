@@ -59,7 +59,7 @@ impl Segment {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use proptest::prelude::*;
     use silhouette_core::shapes;
@@ -74,6 +74,14 @@ mod tests {
         assert!((1..30).contains(&visited), "{visited} of {}", ball.face_count());
     }
 
+    /// Places the integer lattice at twelve times its size, on which all means lie whose weights add up to 1, 2, 3, 4 or 6; far from the
+    /// origin if asked to, and scaled by a power of two. Nothing is rounded.
+    pub(crate) fn placing(exponent: i32, is_far: bool) -> impl Fn(DVec3) -> Vec3 + Copy {
+        let scale = 2.0_f64.powi(exponent);
+        let offset = if is_far { DVec3::new(1e6, 2e6, -1e6) } else { DVec3::ZERO };
+        move |point| ((point * 12.0 + offset) * scale).as_vec3()
+    }
+
     proptest! {
         /// Segments to a point of each face: to a corner, to the middle of a side, through the inside.
         #[test]
@@ -81,10 +89,7 @@ mod tests {
             mesh in soup(30), from in prop::array::uniform3(-9_i8..=9), weights in prop::array::uniform3(0_u8..3),
             exponent in -60..60, is_far in any::<bool>(),
         ) {
-            let scale = 2.0_f64.powi(exponent);
-            let offset = if is_far { DVec3::new(1e6, 2e6, -1e6) } else { DVec3::ZERO };
-            // Twelve times the lattice, on which all weighted means lie.
-            let place = |point: DVec3| ((point * 12.0 + offset) * scale).as_vec3();
+            let place = placing(exponent, is_far);
             let placed = edits::mapped(&mesh, |position| place(position.as_dvec3()));
             let hierarchy = MeshHierarchy::new(&placed);
             let sum = f64::from(weights.iter().map(|&weight| u32::from(weight)).sum::<u32>());

@@ -61,6 +61,7 @@ impl Triangle {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::segment::tests::placing;
     use proptest::prelude::*;
     use silhouette_core::shapes;
     use silhouette_testing::edits;
@@ -94,10 +95,7 @@ mod tests {
             mesh in soup(30), from in prop::array::uniform3(-9_i8..=9), third in prop::array::uniform3(-9_i8..=9),
             weights in prop::array::uniform3(0_u8..3), exponent in -60..60, is_far in any::<bool>(),
         ) {
-            let scale = 2.0_f64.powi(exponent);
-            let offset = if is_far { DVec3::new(1e6, 2e6, -1e6) } else { DVec3::ZERO };
-            // Twelve times the lattice, on which all weighted means lie.
-            let place = |point: DVec3| ((point * 12.0 + offset) * scale).as_vec3();
+            let place = placing(exponent, is_far);
             let placed = edits::mapped(&mesh, |position| place(position.as_dvec3()));
             let hierarchy = MeshHierarchy::new(&placed);
             let sum = f64::from(weights.iter().map(|&weight| u32::from(weight)).sum::<u32>());

@@ -34,6 +34,7 @@ pub(super) fn collapsed(
     while collapses.left > vertices
         && let Some(candidate) = collapses.heap.pop()
     {
+        progress.check()?;
         collapses.attempt(candidate.0)?;
     }
     Ok(collapses.finished())
